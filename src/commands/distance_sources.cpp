@@ -29,18 +29,25 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Points = std::vector<std::array<double, 3>>;
+using Parts = std::vector<std::vector<IT::Surface_point>>;
+
+// A surface whose faces the user numbers.
+struct Faces
+{
+  std::size_t number;
+  std::function<std::array<std::uint32_t, 3>(std::size_t)> corners;
+  std::function<Parts(const std::vector<std::vector<IT::Point_in_triangle>>&)> find; // points and curves in them
+};
 
 class Source_placer
 {
 public:
-  // \param in_faces finds points that are given in numbered faces
   // \param vertex_of the vertex of the user, for each vertex of the surface
   // \param representative of each vertex of the user, another one if they were merged
-  Source_placer(const Named_sources& named, const Triangulation& triangulation, const Points& points,
-                std::function<std::vector<IT::Surface_point>(const std::vector<IT::Point_in_triangle>&)> in_faces,
+  Source_placer(const Named_sources& named, const Triangulation& triangulation, const Points& points, Faces faces,
                 std::vector<std::uint32_t> vertex_of, std::vector<std::uint32_t> representative)
     : named_(named), triangulation_(triangulation), input_(triangulation.input()), points_(points),
-      in_faces_(std::move(in_faces)), vertex_of_(std::move(vertex_of)), representative_(std::move(representative))
+      faces_(std::move(faces)), vertex_of_(std::move(vertex_of)), representative_(std::move(representative))
   {}
 
   Placed_sources place()
@@ -48,9 +55,13 @@ public:
     for (std::uint64_t v : named_.vertices)
       result_.sources.push_back(IT::source_at_vertex(input_, vertex(v)));
     if (!named_.points_path.empty())
-      for (const auto& places : read_places(named_.points_path))
-        for (const IT::Surface_point& p : placed(places, named_.points_path))
-          result_.sources.push_back({{{p}}});
+      for (const std::vector<Place>& places : read_places(named_.points_path)) {
+        std::vector<std::vector<Place>> apart;
+        for (const Place& place : places)
+          apart.push_back({place});
+        for (std::vector<IT::Surface_point>& point : placed(apart, named_.points_path))
+          result_.sources.push_back({{std::move(point)}});
+      }
     if (!named_.edges_path.empty())
       add_edges();
     if (!named_.curve_path.empty())
@@ -89,39 +100,35 @@ private:
     return IT::Vertex_index(IT::Vertex_index::size_type(found - vertex_of_.begin()));
   }
 
-  std::vector<IT::Surface_point> placed(const std::vector<Place>& places, const std::string& path)
+  // The points of curves.
+  Parts placed(const std::vector<std::vector<Place>>& curves, const std::string& path)
   {
-    std::vector<IT::Point_in_triangle> given;
-    for (const Place& place : places)
-      if (place.kind != Place::IN_SPACE)
-        given.push_back({std::size_t(place.face), place.numbers});
-    const std::vector<IT::Surface_point> in_faces = found_in_faces(given, places, path);
-    std::vector<IT::Surface_point> result;
-    std::size_t i = 0;
-    for (const Place& place : places) {
-      if (place.kind == Place::IN_SPACE) {
-        result.push_back(foot(place));
-        continue;
-      }
-      result.push_back(in_faces[i++]);
-      if (place.kind == Place::BETWEEN_VERTICES)
-        arrange(result.back(), place, path);
-    }
+    std::vector<std::vector<IT::Point_in_triangle>> given(curves.size());
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      for (const Place& place : curves[i])
+        if (place.kind != Place::IN_SPACE)
+          given[i].push_back(in_triangle(place, path));
+    Parts result = found_in_faces(given, curves, path);
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      for (const Place& place : curves[i])
+        if (place.kind == Place::IN_SPACE)
+          result[i].push_back(foot(place));
     return result;
   }
 
-  std::vector<IT::Surface_point> found_in_faces(const std::vector<IT::Point_in_triangle>& given,
-                                                const std::vector<Place>& places, const std::string& path) const
+  Parts found_in_faces(const std::vector<std::vector<IT::Point_in_triangle>>& given,
+                       const std::vector<std::vector<Place>>& curves, const std::string& path) const
   {
     try {
-      return in_faces_(given);
+      return faces_.find(given);
     } catch (const IT::Invalid_point_error&) {
-      for (const Place& place : places)
-        try {
-          in_faces_({{std::size_t(place.face), place.numbers}});
-        } catch (const IT::Invalid_point_error& error) {
-          fail(place, path, error.what());
-        }
+      for (std::size_t i = 0; i < curves.size(); ++i)
+        for (std::size_t k = 0; k < given[i].size(); ++k)
+          try {
+            faces_.find({{given[i][k]}});
+          } catch (const IT::Invalid_point_error& error) {
+            fail(curves[i][k], path, error.what());
+          }
       throw;
     }
   }
@@ -142,19 +149,20 @@ private:
     return result;
   }
 
-  // Coordinates that are given for vertices in any order.
-  void arrange(IT::Surface_point& p, const Place& place, const std::string& path) const
+  // Coordinates may be given for vertices in any order.
+  IT::Point_in_triangle in_triangle(const Place& place, const std::string& path) const
   {
-    const IT::Halfedge_index h = p.halfedge;
-    const std::array<IT::Vertex_index, 3> corners{input_.source(h), input_.target(h), input_.target(input_.next(h))};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto corner = std::find_if(place.corners.begin(), place.corners.end(), [&](std::uint64_t v) {
-        return representative(v) == vertex_of_[corners[i].idx()];
-      });
-      if (corner == place.corners.end())
-        fail(place, path, "face " + std::to_string(place.face) + " has other vertices");
-      p.coordinates[i] = place.numbers[std::size_t(corner - place.corners.begin())];
-    }
+    IT::Point_in_triangle result{std::size_t(place.face), place.numbers};
+    if (place.kind == Place::BETWEEN_VERTICES && place.face < faces_.number)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = faces_.corners(result.triangle)[i];
+        const auto corner = std::find_if(place.corners.begin(), place.corners.end(),
+                                         [&](std::uint64_t w) { return representative(w) == representative(v); });
+        if (corner == place.corners.end())
+          fail(place, path, "face " + std::to_string(place.face) + " has other vertices");
+        result.coordinates[i] = place.numbers[std::size_t(corner - place.corners.begin())];
+      }
+    return result;
   }
 
   void add_edges()
@@ -183,13 +191,12 @@ private:
   // Points of `idt geodesic` follow each other in faces. Between others, a curve takes the shortest path.
   void add_curves(const std::vector<std::vector<Place>>& curves)
   {
-    std::vector<std::vector<IT::Surface_point>> given;
+    Parts given = placed(curves, named_.curve_path);
     std::vector<std::vector<IT::Vertex_index>> stops(curves.size());
     std::optional<Triangulation> copy;
-    for (const std::vector<Place>& places : curves) {
-      given.push_back(placed(places, named_.curve_path));
-      if (places.empty() || places.front().kind == Place::BETWEEN_VERTICES) {
-        require_common_faces(places);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (curves[i].empty() || curves[i].front().kind == Place::BETWEEN_VERTICES) {
+        require_common_faces(curves[i]);
         continue;
       }
       // Points on edges of the input are inserted before these are flipped. Faces beside new vertices may be slivers,
@@ -198,9 +205,9 @@ private:
         copy.emplace(input_, points_);
       else if (!copy)
         copy.emplace(triangulation_);
-      for (IT::Surface_point p : given.back()) {
+      for (IT::Surface_point p : given[i]) {
         p.coordinates = IT::internal::on_near_edges(p.coordinates);
-        stops[given.size() - 1].push_back(IT::vertex_at_point(*copy, p));
+        stops[i].push_back(IT::vertex_at_point(*copy, p));
       }
     }
     if (copy)
@@ -251,7 +258,7 @@ private:
   const Triangulation& triangulation_;
   const IT::Delta_complex& input_;
   const Points& points_;
-  std::function<std::vector<IT::Surface_point>(const std::vector<IT::Point_in_triangle>&)> in_faces_;
+  Faces faces_;
   std::vector<std::uint32_t> vertex_of_, representative_;
   Placed_sources result_;
 };
@@ -264,17 +271,27 @@ Placed_sources place_sources(const Named_sources& named, const Triangulation& tr
   std::vector<std::uint32_t> vertex_of;
   for (IT::Vertex_index v : input.vertices())
     vertex_of.push_back(v.idx());
-  const auto in_faces = [&input](const std::vector<IT::Point_in_triangle>& given) {
-    std::vector<IT::Surface_point> result;
-    for (const IT::Point_in_triangle& p : given) {
-      if (p.triangle >= input.number_of_faces())
-        throw IT::Invalid_point_error("there is no face " + std::to_string(p.triangle) + ": the surface has " +
-                                      std::to_string(input.number_of_faces()) + ", counted from 0");
-      result.push_back({input.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle))), p.coordinates});
-    }
+  const auto first_side = [&input](std::size_t f) {
+    return input.halfedge(IT::Face_index(IT::Face_index::size_type(f)));
+  };
+  const auto corners = [&input, first_side](std::size_t f) -> std::array<std::uint32_t, 3> {
+    const IT::Halfedge_index h = first_side(f);
+    return {std::uint32_t(input.source(h).idx()), std::uint32_t(input.target(h).idx()),
+            std::uint32_t(input.target(input.next(h)).idx())};
+  };
+  const auto find = [&input, first_side](const std::vector<std::vector<IT::Point_in_triangle>>& given) {
+    Parts result(given.size());
+    for (std::size_t i = 0; i < given.size(); ++i)
+      for (const IT::Point_in_triangle& p : given[i]) {
+        if (p.triangle >= input.number_of_faces())
+          throw IT::Invalid_point_error("there is no face " + std::to_string(p.triangle) + ": the surface has " +
+                                        std::to_string(input.number_of_faces()) + ", counted from 0");
+        result[i].push_back({first_side(p.triangle), p.coordinates});
+      }
     return result;
   };
-  return Source_placer(named, triangulation, points, in_faces, vertex_of, vertex_of).place();
+  return Source_placer(named, triangulation, points, {input.number_of_faces(), corners, find}, vertex_of, vertex_of)
+    .place();
 }
 
 Placed_sources place_sources(const Named_sources& named, const IT::Tufted_cover& cover, const Points& points,
@@ -284,10 +301,11 @@ Placed_sources place_sources(const Named_sources& named, const IT::Tufted_cover&
   for (std::uint32_t v : cover.vertex_of)
     if (!points.empty())
       of_cover.push_back(points[v]);
-  const auto in_faces = [&](const std::vector<IT::Point_in_triangle>& given) {
+  const auto find = [&](const std::vector<std::vector<IT::Point_in_triangle>>& given) {
     return IT::points_of_cover(cover, triangles, given);
   };
-  return Source_placer(named, cover.triangulation, of_cover, in_faces, cover.vertex_of, cover.representative).place();
+  const Faces faces{triangles.size(), [&triangles](std::size_t f) { return triangles[f]; }, find};
+  return Source_placer(named, cover.triangulation, of_cover, faces, cover.vertex_of, cover.representative).place();
 }
 
 IT::Surface_with_barriers place_barriers(const Named_sources& named, const Triangulation& triangulation,

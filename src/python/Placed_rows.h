@@ -27,47 +27,41 @@ class Placed_rows
 public:
   // \param first where the points of each source begin, and their number: one is a point, more are a curve
   Placed_rows(const Indices& numbers, const Doubles& coordinates, const Indices& first, const Doubles& offsets)
-    : begins_(copied(first)), offsets_(copied(offsets))
+    : offsets_(copied(offsets))
   {
-    const auto in_faces = copied(numbers);
+    const auto begins = copied(first), in_faces = copied(numbers);
     const Rows<double> in_face(coordinates);
-    for (std::size_t i = 0; i < in_faces.size(); ++i)
-      places_.push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
+    places_.resize(begins.size() - 1);
+    for (std::size_t k = 0; k + 1 < begins.size(); ++k)
+      for (std::size_t i = begins[k]; i < begins[k + 1]; ++i)
+        places_[k].push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
   }
 
-  const std::vector<IT::Point_in_triangle>& places() const { return places_; }
+  const std::vector<std::vector<IT::Point_in_triangle>>& places() const { return places_; }
   // \param triangles those of which the complex was made
-  std::vector<IT::Surface_point> on(const IT::Delta_complex& complex,
-                                    const std::vector<std::array<std::uint32_t, 3>>& triangles) const
+  std::vector<std::vector<IT::Surface_point>> on(const IT::Delta_complex& complex,
+                                                 const std::vector<std::array<std::uint32_t, 3>>& triangles) const
   {
-    std::vector<IT::Surface_point> result;
-    for (const IT::Point_in_triangle& p : places_) {
-      IT::Halfedge_index h = complex.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle)));
-      while (complex.source(h).idx() != triangles[p.triangle][0])
-        h = complex.next(h);
-      result.push_back({h, p.coordinates});
-    }
+    std::vector<std::vector<IT::Surface_point>> result(places_.size());
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      for (const IT::Point_in_triangle& p : places_[k]) {
+        IT::Halfedge_index h = complex.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle)));
+        while (complex.source(h).idx() != triangles[p.triangle][0])
+          h = complex.next(h);
+        result[k].push_back({h, p.coordinates});
+      }
     return result;
   }
-  std::vector<std::vector<IT::Surface_point>> curves(const std::vector<IT::Surface_point>& placed) const
+  std::vector<IT::Geodesic_source> sources(const std::vector<std::vector<IT::Surface_point>>& placed) const
   {
-    std::vector<std::vector<IT::Surface_point>> result;
-    for (std::size_t i = 0; i + 1 < begins_.size(); ++i)
-      result.push_back({placed.begin() + begins_[i], placed.begin() + begins_[i + 1]});
-    return result;
-  }
-  std::vector<IT::Geodesic_source> sources(const std::vector<IT::Surface_point>& placed) const
-  {
-    const auto parts = curves(placed);
     std::vector<IT::Geodesic_source> result;
     for (std::size_t i = 0; i < offsets_.size(); ++i)
-      result.push_back({{parts[i]}, offsets_[i]});
+      result.push_back({{placed[i]}, offsets_[i]});
     return result;
   }
 
 private:
-  std::vector<IT::Point_in_triangle> places_;
-  std::vector<std::uint32_t> begins_;
+  std::vector<std::vector<IT::Point_in_triangle>> places_;
   std::vector<double> offsets_;
 };
 

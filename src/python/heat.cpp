@@ -170,11 +170,10 @@ std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, c
                                          options);
     }
     const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(corners.size(), faces);
-    const auto on_input = placed.on(complex, faces);
-    const auto parts = placed.curves(on_input);
+    const auto parts = placed.on(complex, faces);
     const IT::Surface_with_barriers surface(complex, corners,
                                             {parts.end() - std::ptrdiff_t(number_of_barriers), parts.end()});
-    return IT::geodesic_distances_from(surface, placed.sources(on_input), options);
+    return IT::geodesic_distances_from(surface, placed.sources(parts), options);
   });
   std::vector<std::int64_t> nearest;
   for (std::uint32_t source : found.nearest_sources)

@@ -51,10 +51,10 @@ py::tuple surface_lines(const Doubles& points, const Indices& triangles, const I
     return surface.use([&](Triangulation& t) {
       const std::vector<IT::Geodesic_source> sources = placed.sources(placed.on(t.input(), faces));
       IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
-      const IT::Surface_lines found =
-        kind == ISOLINES        ? IT::isolines(t, sources, levels, options)
-        : kind == OFFSET_CURVES ? IT::offset_curves(t, placed.curves(placed.on(t.input(), faces)), levels, options)
-                                : IT::borders_of_cells(t, sources, options);
+      const IT::Surface_lines found = kind == ISOLINES ? IT::isolines(t, sources, levels, options)
+                                      : kind == OFFSET_CURVES
+                                        ? IT::offset_curves(t, placed.on(t.input(), faces), levels, options)
+                                        : IT::borders_of_cells(t, sources, options);
       Line_tables tables;
       for (const IT::Surface_line& line : found.lines) {
         for (const IT::Surface_point& p : line.points) {
@@ -83,7 +83,7 @@ py::array sides_of_curve(const Doubles& points, const Indices& triangles, const 
   return to_array(without_lock([&] {
     const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(number_of_points, faces);
     std::vector<std::int64_t> result;
-    for (CGAL::Sign side : IT::sides_of_curve(complex, placed.curves(placed.on(complex, faces))))
+    for (CGAL::Sign side : IT::sides_of_curve(complex, placed.on(complex, faces)))
       result.push_back(side);
     return result;
   }));

@@ -287,6 +287,23 @@ TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
     }
 }
 
+// A path over triangles, one of which has zero area and cuts its neighbor.
+TEST_F(Distance_command, takes_curves_and_points_where_triangles_have_no_area)
+{
+  write(
+    "soup.off",
+    "OFF\n7 6 0\n0 0 0\n2 0 0\n1 2 0\n1 0 0\n1 -2 0\n-1 1 0\n3 1 0\n3 0 1 2\n3 0 3 1\n3 0 4 3\n3 3 4 1\n3 0 2 5\n3 2 1 "
+    "6\n");
+  ASSERT_EQ(idt("geodesic soup.off --from 5 --to 6 -o path.csv").status, 0);
+  write("flat.csv", "input_face,b0,b1,b2\n1,0.5,0.25,0.25\n");
+  for (const std::string method : {"", " --method heat"}) {
+    ASSERT_EQ(idt("distance soup.off --source-curve path.csv -o path_distances.csv" + method).status, 0);
+    EXPECT_NEAR(distances("path_distances.csv").at(3), 1, method.empty() ? 1e-12 : 0.1);
+    ASSERT_EQ(idt("distance soup.off --source-points flat.csv -o flat_distances.csv" + method).status, 0);
+    EXPECT_NEAR(distances("flat_distances.csv").at(0), 0.75, 1e-12); // a corner of its face
+  }
+}
+
 TEST_F(Distance_command, writes_a_matrix_between_two_sets)
 {
   write("two.off", "OFF\n7 3 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 1 6 2\n");

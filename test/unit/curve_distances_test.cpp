@@ -385,7 +385,7 @@ TEST(Curve_distances, cross_a_spine_to_all_pages)
     IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
   IT::flip_to_Delaunay(cover.triangulation);
   const auto at = [&](std::size_t triangle, const std::array<double, 3>& coordinates) {
-    return IT::points_of_cover(cover, triangles, {{triangle, coordinates}}).front();
+    return IT::points_of_cover(cover, triangles, {{{triangle, coordinates}}}).front().front();
   };
   // Triangle 5 lies between 2 and 3 on the spine: from the middle of that edge outward.
   const auto found =
@@ -404,27 +404,51 @@ TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
                                                   {2, 2, 0}, {3, 1, 0}, {2, -2, 1}};
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}, {1, 4, 5},
                                                             {0, 1, 4}, {1, 0, 6}, {4, 0, 6}};
+  const auto position = [&](std::size_t t, const std::array<double, 3>& at) {
+    Point result{0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t x = 0; x < 3; ++x)
+        result[x] += at[i] * points[triangles[t][i]][x];
+    return result;
+  };
+  const auto apart = [](const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); };
   for (const IT::Surface_cover kind : {IT::Surface_cover::SHEETS, IT::Surface_cover::TUFTED}) {
-    const IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(kind));
+    IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(kind));
+    IT::flip_to_Delaunay(cover.triangulation);
+    const IT::Delta_complex& input = cover.triangulation.input();
     std::vector<std::array<double, 3>> of_cover;
     for (const std::uint32_t v : cover.vertex_of)
       of_cover.push_back(points[v]);
+    std::vector<std::array<double, 3>> all;
+    for (int i = 0; i <= 8; ++i)
+      for (int k = 0; i + k <= 8; ++k)
+        all.push_back({i / 8., k / 8., (8 - i - k) / 8.});
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (const auto& at : all) {
+        const Surface_point p = IT::points_of_cover(cover, triangles, {{{t, at}}}).front().front();
+        if (t >= 3)
+          EXPECT_EQ(cover.face_of[input.face(p.halfedge).idx()], t);
+        EXPECT_GE(*std::min_element(p.coordinates.begin(), p.coordinates.end()), 0);
+        EXPECT_NEAR(apart(IT::point_in_space(input, of_cover, p), position(t, at)), 0, 1e-14);
+      }
+    // Curves cross the cuts.
     for (std::size_t t = 3; t < triangles.size(); ++t)
-      for (int i = 0; i <= 8; ++i)
-        for (int k = 0; i + k <= 8; ++k) {
-          const std::array<double, 3> at{i / 8., k / 8., (8 - i - k) / 8.};
-          const Surface_point p = IT::points_of_cover(cover, triangles, {{t, at}}).front();
-          const auto place = IT::point_in_space(cover.triangulation.input(), of_cover, p);
-          EXPECT_EQ(cover.face_of[cover.triangulation.input().face(p.halfedge).idx()], t);
-          for (std::size_t x = 0; x < 3; ++x) {
-            EXPECT_GE(p.coordinates[x], 0);
-            EXPECT_NEAR(place[x],
-                        at[0] * points[triangles[t][0]][x] + at[1] * points[triangles[t][1]][x] +
-                          at[2] * points[triangles[t][2]][x],
-                        1e-14);
-          }
-        }
+      for (std::size_t n = 0; n < 300; ++n) {
+        const auto &from_place = all[7 * n % all.size()], &to_place = all[11 * n % all.size()];
+        const Curve curve = IT::points_of_cover(cover, triangles, {{{t, from_place}, {t, to_place}}}).front();
+        double length = 0;
+        for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+          length +=
+            apart(IT::point_in_space(input, of_cover, curve[i]), IT::point_in_space(input, of_cover, curve[i + 1]));
+        EXPECT_NEAR(length, apart(position(t, from_place), position(t, to_place)), 1e-14);
+        EXPECT_NEAR(apart(IT::point_in_space(input, of_cover, curve.back()), position(t, to_place)), 0, 1e-14);
+        EXPECT_NO_THROW(IT::geodesic_distances_from(cover, {from({curve})})) << t << ' ' << n;
+      }
   }
+  EXPECT_THROW(
+    IT::points_of_cover(IT::make_tufted_cover(points, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 4, 3}}),
+                        {{0, 1, 2}, {1, 4, 3}}, {{{0, {0.5, 0.25, 0.25}}}}),
+    IT::Invalid_point_error);
 }
 
 TEST(Curve_distances, bad_input)

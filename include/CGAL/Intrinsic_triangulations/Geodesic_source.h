@@ -52,15 +52,18 @@ struct Point_in_triangle
 };
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief returns points of the input of a cover, `cover.triangulation.input()`, given in the triangles below it.
+/// \brief returns points and curves of the input of a cover, `cover.triangulation.input()`, given in the triangles below
+/// it, as parts of a `Geodesic_source`. Triangles next to those of zero area may be cut in the cover: curves get points
+/// where they cross a cut.
 /// \param cover a cover
 /// \param triangles the triangles from which it was made
-/// \param points points of them
-/// \exception Invalid_point_error if the cover has no such triangle, because its area is zero, for example
-/// O(number of triangles and points).
-std::vector<Surface_point> points_of_cover(const Tufted_cover& cover,
-                                           const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                           const std::vector<Point_in_triangle>& points);
+/// \param parts each a point or a curve: points of the triangles
+/// \exception Invalid_point_error if there is no such triangle, or it has zero area, and no triangle with an area has the
+///   edge where the point lies
+/// O(number of triangles and points), and as much for each point of a triangle of zero area.
+std::vector<std::vector<Surface_point>> points_of_cover(const Tufted_cover& cover,
+                                                        const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                                        const std::vector<std::vector<Point_in_triangle>>& parts);
 
 } // namespace CGAL::Intrinsic_triangulations
 
