@@ -196,7 +196,7 @@ private:
   {
     Triple c;
     for (const Part& part : parts)
-      if (internal::Cut_faces::find_coordinates(input_, part.first, p, c)) {
+      if (internal::find_coordinates(input_, part.first, p, c)) {
         for (std::size_t k = 0; k < 3; ++k)
           result[k] = c[0] * part.corners[0][k] + c[1] * part.corners[1][k] + c[2] * part.corners[2][k];
         return true;
@@ -249,7 +249,7 @@ private:
       p.coordinates = inside(p.coordinates);
       if (reached > 0)
         curve.push_back(p);
-      else if (Triple c; internal::Cut_faces::find_coordinates(input_, p.halfedge, curve.back(), c))
+      else if (Triple c; internal::find_coordinates(input_, p.halfedge, curve.back(), c))
         curve.back() = {p.halfedge, c};
       else
         curve.back() = p;
@@ -257,7 +257,7 @@ private:
       last = way.part;
     }
     Triple c;
-    if (last == nullptr || internal::Cut_faces::find_coordinates(input_, last->first, to, c))
+    if (last == nullptr || internal::find_coordinates(input_, last->first, to, c))
       curve.push_back(to);
     else
       curve.push_back({last->first, inside(internal::coordinates_in_part(last->corners, target))});
