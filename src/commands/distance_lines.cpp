@@ -268,7 +268,10 @@ Distance_lines find_lines(const Line_options& options,
   Distance_lines result;
   result.input = triangulation.input();
   if (options.has_isolines()) {
-    std::vector<double> distances = options.step ? multiples(*options.step, largest) : options.distances;
+    double longest = 0; // no point of a face is farther from its corners
+    for (IT::Edge_index e : triangulation.connectivity().edges())
+      longest = (std::max)(longest, triangulation.length(e));
+    std::vector<double> distances = options.step ? multiples(*options.step, largest + longest) : options.distances;
     for (double& d : distances)
       d = std::abs(d);
     result.isolines = IT::isolines(triangulation, sources, distances, np);

@@ -23,7 +23,8 @@ Table::Table(const std::string& path) : path_(path), file_(path)
 bool Table::next()
 {
   for (std::string text; std::getline(file_, text);) {
-    ++line_;
+    if (++line_ == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0) // the byte order mark of spreadsheets
+      text.erase(0, 3);
     if (!text.empty() && text.back() == '\r')
       text.pop_back();
     if (text.empty() || text[0] == '#')

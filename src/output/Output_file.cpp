@@ -170,9 +170,11 @@ void check_output_paths(const std::vector<std::string>& outputs, const std::vect
     const fs::file_status status = fs::status(a, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
       return false; // a device accepts anything
-    // If no part of a path exists yet, only an absolute path becomes canonical.
-    return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error) ||
-           fs::equivalent(a, b, error);
+    // If no part of a path exists yet, only an absolute path becomes canonical, and no link to it.
+    const auto target = [&error](const std::string& path) {
+      return fs::weakly_canonical(fs::absolute(behind_links(path, error)), error);
+    };
+    return target(a) == target(b) || fs::equivalent(a, b, error);
   };
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty())

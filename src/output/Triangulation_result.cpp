@@ -83,7 +83,8 @@ std::string describe_straight_triangles(const Triangulation_result& result)
          (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
           : mesh.sufficient_deviation > 0
             ? "--maximum-deviation " + in_short(mesh.sufficient_deviation) + " suffices, as was tried"
-            : "try a larger --minimum-size") +
+          : unrefined_faces(result.outcome)["whole edge"] > 0 ? "fewer --keep-whole edges leave more room"
+                                                              : "try a larger --minimum-size") +
          "; only the intrinsic triangulation is ";
 }
 

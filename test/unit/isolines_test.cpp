@@ -497,6 +497,17 @@ TEST(Isolines, are_not_too_many)
   EXPECT_EQ(message({1}, 1e-6), "");
 }
 
+// The default deviation is a part of the largest distance of a corner, which is zero here.
+TEST(Borders_of_cells, of_all_vertices)
+{
+  const Mesh mesh = shaken_plane(4, 4);
+  const Triangulation triangulation = mesh.Delaunay();
+  std::vector<IT::Geodesic_source> sources;
+  for (Vertex_index v : triangulation.input().vertices())
+    sources.push_back(IT::source_at_vertex(triangulation.input(), v));
+  EXPECT_GE(IT::borders_of_cells(triangulation, sources).lines.size(), sources.size());
+}
+
 TEST(Isolines, wrong_numbers)
 {
   const Mesh mesh = shaken_plane(4, 4);

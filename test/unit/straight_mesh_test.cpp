@@ -569,6 +569,19 @@ TEST(Straight_mesh, asks_its_visitor)
   }
 }
 
+// Edges at a sharp corner are kept but for their ends, which are shorter than any number of double then.
+TEST(Straight_mesh, is_refined_for_tiny_deviations)
+{
+  const Model pyramid{{{0.005, 0.005, 1}, {0, 0, 0}, {0.01, 0, 0}, {0.01, 0.01, 0}, {0, 0.01, 0}},
+                      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}}};
+  Triangulation t = pyramid.triangulation();
+  IT::refine_Delaunay(t, CGAL::parameters::maximum_deviation(1e-25).maximum_number(10));
+  for (IT::Edge_index e : t.connectivity().edges())
+    EXPECT_GT(t.length(e), 1e-6);
+  const IT::Common_subdivision subdivision(t);
+  EXPECT_EQ(subdivision.intrinsic().number_of_vertices(), t.connectivity().number_of_vertices());
+}
+
 TEST(Straight_mesh, refuses_senseless_deviations)
 {
   Triangulation t = box(1, 1).triangulation();

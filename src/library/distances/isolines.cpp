@@ -43,6 +43,9 @@ Surface_lines lines_of_waves(const Common_subdivision& subdivision, const Laid_o
       for (const Wave& wave : waves.waves)
         if (wave.kind == Wave::ALL_AROUND)
           largest = (std::max)(largest, std::ldexp(wave.sigma, faces.exponent()));
+    if (largest == 0) // every corner of a face is a source
+      for (const Laid_out_faces::Side& side : faces.sides())
+        largest = (std::max)(largest, std::ldexp(side.length, faces.exponent()));
     wanted.chord_tolerance = 1e-4 * largest;
   }
   result.maximum_deviation = wanted.chord_tolerance;

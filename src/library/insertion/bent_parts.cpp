@@ -42,10 +42,16 @@ public:
     for (Vertex_index v : complex_.vertices())
       if (complex_.halfedge(v).is_valid())
         trim_at(v);
-    // What is left should be worth the two vertices at its ends.
-    for (Edge_part& part : parts_)
+    // What is left should be worth the two vertices at its ends, and these are not to round to the ends of the edge.
+    constexpr double least = 0x1p-40;
+    for (Edge_part& part : parts_) {
       if (!(part.end - part.begin > 0.25))
         part.begin = part.end = 0;
+      if (part.begin < least)
+        part.begin = 0;
+      if (part.end > 1 - least)
+        part.end = 1;
+    }
     return parts_;
   }
 
