@@ -346,21 +346,23 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   criteria.sizes = internal::sizes_of_input(internal::engine(triangulation), std::move(sizes), is_segment);
   auto observer = internal::observer_of(np);
   const std::uint32_t number_of_given_vertices = complex.number_of_vertices();
-  if (std::isfinite(criteria.maximum_deviation))
-    internal::keep_bent_parts(triangulation, criteria.maximum_deviation, is_segment);
-  for (std::uint32_t v = number_of_given_vertices; v < complex.number_of_vertices(); ++v)
-    observer.after_insertion(Vertex_index(v));
-  const std::uint32_t number_of_vertices_on_folds = complex.number_of_vertices() - number_of_given_vertices;
   const auto given_maximum = std::optional<std::uint64_t>(
     choose_parameter(get_parameter(np, internal_np::maximum_number), std::optional<std::uint64_t>()));
   const std::uint64_t default_maximum = 10 * std::uint64_t(number_of_given_vertices) + 1000000;
+  std::uint64_t maximum = given_maximum.value_or(default_maximum);
+  if (std::isfinite(criteria.maximum_deviation))
+    internal::keep_bent_parts(triangulation, criteria.maximum_deviation, maximum, is_segment);
+  for (std::uint32_t v = number_of_given_vertices; v < complex.number_of_vertices(); ++v)
+    observer.after_insertion(Vertex_index(v));
+  const std::uint32_t number_of_vertices_on_folds = complex.number_of_vertices() - number_of_given_vertices;
+  maximum -= number_of_vertices_on_folds;
   const internal::Segments_by_size segments(internal::engine(triangulation), std::move(is_segment),
                                             value_of<Parameter::SHARP_EDGE_ANGLE>(np, std::optional<double>()));
   internal::Refinement_run<Traits, decltype(observer)> run{triangulation,
                                                            criteria,
                                                            segments,
                                                            observer,
-                                                           given_maximum.value_or(default_maximum),
+                                                           maximum,
                                                            is_whole,
                                                            given_maximum ? (std::numeric_limits<std::uint64_t>::max)()
                                                                          : default_maximum};

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -45,7 +46,8 @@ std::vector<Edge_part> bent_parts(const Delta_complex& complex, const std::vecto
 // Makes these parts segments, as far as they are still edges of the triangulation: first inserts their ends.
 // \param is_segment for each edge; gets those that are added
 template <class Traits>
-void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double deviation, std::vector<bool>& is_segment)
+void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double deviation, std::uint64_t maximum_number,
+                     std::vector<bool>& is_segment)
 {
   const Input_metric& metric = triangulation.input_metric();
   if (metric.points().empty())
@@ -69,13 +71,16 @@ void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double devi
     }
   const std::vector<Edge_part> parts =
     bent_parts(input, points, is_fixed, std::ldexp(deviation, -metric.unit_exponent()));
+  const std::uint64_t most_vertices = complex.number_of_vertices() + maximum_number;
   for (Edge_index e : input.edges()) {
-    const Edge_part& part = parts[e.idx()];
+    Edge_part part = parts[e.idx()];
     Halfedge_index h = halfedges[e.idx()];
     if (!h.is_valid() || is_fixed[e.idx()] || !(part.begin < part.end))
       continue;
     if ((part.begin > 0 || part.end < 1) && complex.is_self_glued(complex.edge(h)))
       continue; // an edge within one face cannot be split
+    if (complex.number_of_vertices() + 2 > most_vertices)
+      part = {0, 1};
     // \return the part beyond
     const auto split = [&](double t) {
       const Halfedge_index along = input.halfedge(e);
