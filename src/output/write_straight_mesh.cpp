@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace idt {
@@ -58,13 +60,25 @@ void write_msh(std::ostream& os, const IT::Straight_mesh& mesh)
   os << "$EndElements\n";
 }
 
+// CalculiX reads 20 characters of a number, and without a word loses an exponent behind them.
+std::string in_twenty_characters(double number)
+{
+  char text[32];
+  std::to_chars_result result = std::to_chars(text, text + sizeof text, number);
+  for (int digits = 17; result.ptr > text + 20; --digits)
+    result = std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits);
+  return std::string(text, result.ptr);
+}
+
 // Shells S3, which CalculiX knows, too.
 void write_inp(std::ostream& os, const IT::Straight_mesh& mesh)
 {
   os << "*NODE\n";
   write_elements(os, mesh.points.size(), [&](Long_text& text, std::size_t v) {
-    const auto& [x, y, z] = mesh.points[v];
-    text << v + 1 << ", " << x << ", " << y << ", " << z << '\n';
+    text << v + 1;
+    for (double x : mesh.points[v])
+      text << ", " << in_twenty_characters(x);
+    text << '\n';
   });
   std::vector<std::vector<std::uint32_t>> triangles(mesh.number_of_regions), ends(mesh.number_of_lines);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)

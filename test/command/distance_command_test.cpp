@@ -462,7 +462,7 @@ TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
   EXPECT_TRUE(contains(message("--isoline-step 0 --lines l.csv", 2), "S is a positive number"));
   EXPECT_TRUE(
     contains(message("--isoline-step 1e-9 --lines l.csv", 2), "give a larger one, 10,000 steps are the most"));
-  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --isoline-step 2e-3 --lines l.csv --method exact "
+  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --isoline-step 4e-3 --lines l.csv --method exact "
                            "--chord-tolerance 1e-9")
                          .err,
                        "of the distances would do, or a chord tolerance"));

@@ -494,6 +494,11 @@ TEST_F(Refine_command, writes_meshes_for_solvers)
   ASSERT_EQ(idt(options + "f.INP").status, 0);
   for (const char* name : {"*NODE\n1, ", "*ELEMENT, TYPE=S3, ELSET=REGION_1\n", "*NSET, NSET=LINE_2\n"})
     EXPECT_TRUE(contains(content(folder_ / "f.INP"), name)) << name;
+  // A number has at most 20 characters.
+  write("tiny.off", "OFF\n3 1 0\n-1.2345678901234567e-100 0 0\n1 0 0\n1.234567890123456e-05 1 0\n3 0 1 2\n");
+  ASSERT_EQ(idt("refine tiny.off --maximum-edge-length 2 --flatten t.inp").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "t.inp"), "\n1, -1.234567890123e-100, 0, 0\n"));
+  EXPECT_TRUE(contains(content(folder_ / "t.inp"), "\n3, 1.23456789012346e-05, 1, 0\n"));
   ASSERT_EQ(idt(options + "f.vtp").status, 0);
   EXPECT_TRUE(contains(content(folder_ / "f.vtp"), "Name=\"region\""));
   for (const char* file : {"f.off", "f.ply", "f.stl"}) { // which the command reads itself
