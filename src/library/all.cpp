@@ -57,6 +57,7 @@
 #include "validation/validate_triangles.cpp"
 #include "straight/Thin_part_merger.cpp"
 #include "straight/Thin_part_separation.cpp"
+#include "straight/crossing_triangles.cpp"
 #include "straight/nearness.cpp"
 #include "straight/straight_mesh.cpp"
 #include "cover/Cover_builder.cpp"

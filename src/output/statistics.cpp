@@ -136,6 +136,7 @@ Json straight_statistics(const IT::Straight_mesh& mesh)
           {"removed_pieces", mesh.number_of_removed_pieces},
           {"rods", mesh.number_of_rods},
           {"new_components", mesh.number_of_new_components},
+          {"crossing_pairs", mesh.crossing_triangles.size()},
           {"deviation", mesh.deviation},
           {"deviation_place", mesh.deviation_place},
           {"minimum_angle_degrees", mesh.triangles.empty() ? Json() : Json(mesh.minimum_angle)},

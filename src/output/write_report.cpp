@@ -159,6 +159,9 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
   if (mesh.number_of_new_components > 0)
     text += ", " + counted(mesh.number_of_new_components, "component", "components") +
             " more than the surface has, as thin parts between them vanished";
+  if (!mesh.crossing_triangles.empty())
+    text += ", " + counted(mesh.crossing_triangles.size(), "pair", "pairs") + " of triangles cross, the first at " +
+            in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";

@@ -583,6 +583,29 @@ TEST(Straight_mesh, is_refined_for_tiny_deviations)
   EXPECT_EQ(subdivision.intrinsic().number_of_vertices(), t.connectivity().number_of_vertices());
 }
 
+// With no common corner, with one, and with a common edge.
+TEST(Straight_mesh, tells_which_triangles_cross)
+{
+  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+  const auto crossing = [](const Model& model) {
+    const IT::Common_subdivision subdivision(model.triangulation());
+    return IT::straight_mesh(subdivision, model.points, {}, 10, 1e-3).crossing_triangles;
+  };
+  for (double x : {0.2, 0.6}) {
+    const Model apart{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {x, 0.3, -1}, {x, 0.3, 1}, {x, 1.3, 0}},
+                      {{0, 1, 2}, {3, 4, 5}}};
+    EXPECT_EQ(crossing(apart), Pairs({{0, 1}}));
+    const Model at_corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, -1}, {x, 0.3, -1}, {x, 0.3, 1}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
+    EXPECT_EQ(crossing(at_corner), Pairs({{0, 3}}));
+  }
+  const Model beside{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0.3, -1}, {2, 0.3, 1}, {2, 1.3, 0}}, {{0, 1, 2}, {3, 4, 5}}};
+  EXPECT_TRUE(crossing(beside).empty());
+  const Model folded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  EXPECT_EQ(crossing(folded), Pairs({{0, 1}}));
+  EXPECT_TRUE(crossing(box(1, 1)).empty());
+}
+
 TEST(Straight_mesh, refuses_senseless_deviations)
 {
   Triangulation t = box(1, 1).triangulation();

@@ -69,6 +69,9 @@ struct Straight_mesh
   std::vector<Edge_index> loops;
   std::vector<Edge_index> multiple_edges;     ///< edges that have both ends in common with one before, other than loops
   std::size_t number_of_new_border_edges = 0; ///< how many border edges there are that the surface does not have
+  /// with `maximum_deviation`, the pairs of triangles that have more in common than their common corners and edges, as
+  /// decided exactly. Those of the surface stay, and others arise where its parts are nearer to each other than that
+  std::vector<std::array<std::uint32_t, 2>> crossing_triangles;
   Surface_report surface; ///< what `examine_polygons()` finds in the triangles: edges of three triangles, for instance
 
   /// returns whether the only thin triangles are at sharp corners. Complexity: constant.

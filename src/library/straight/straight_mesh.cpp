@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include "Straight_map.h"
 #include "Thin_part_merger.h"
+#include "crossing_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -358,6 +359,11 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
     return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners
                                                             : mesh.triangles.size() + 1;
   };
+  std::size_t calls = 0;
+  result.crossing_triangles = crossing_triangles(result.points, result.triangles, [&] {
+    if (calls++ % 256 == 0)
+      report_progress(progress, 0.4, "straight_mesh()");
+  });
   double d = 2 * maximum_deviation, done = 0.4;
   for (std::size_t before = number_of_bad(result, maximum_deviation); before > 0 && d < 100 * maximum_deviation;
        d *= 2, done += 0.1) {

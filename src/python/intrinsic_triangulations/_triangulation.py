@@ -126,6 +126,8 @@ class StraightMesh(NamedTuple):
     """How many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows."""
     new_components: int
     """How many components there are more than the surface has, as thin parts between them vanished."""
+    crossing_triangles: numpy.ndarray
+    """With maximum_deviation, the pairs of triangles that have more in common than their common corners and edges."""
 
 
 class Triangulation:
