@@ -257,7 +257,7 @@ double sufficient_deviation(const Surface& surface, Run_options run_options, con
     const Triangulation_result result = refine_surface(surface, run_options, options);
     if (!result.outcome.subdivision || is_interrupted())
       return 0;
-    if (straight_mesh(result).is_good())
+    if (const IT::Straight_mesh mesh = straight_mesh(result); mesh.is_good() && mesh.deviation <= deviation)
       return deviation;
   }
   return 0;

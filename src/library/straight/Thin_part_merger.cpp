@@ -21,6 +21,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Refinement leaves the rest of the deviation to us.
 static constexpr double usual_part = 0.8;
 
+static constexpr std::pair<int, double> no_gain{(std::numeric_limits<int>::min)(), 0};
+
+static double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
 Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, double thin_angle,
                                    double maximum_deviation, const Progress_function& progress)
   : map_(map), mesh_(mesh), progress_(progress), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
@@ -71,12 +78,13 @@ Straight_map::Distance Thin_part_merger::operator()()
     fraction = (std::max)(fraction, 0.8 * done / (done + double(to_look_at_.size() + stuck.size())));
     report(fraction);
     const bool is_forced = to_look_at_.empty();
-    needed_growth_ = is_forced ? 0 : 1.01;
+    lowest_with_normal_ = 0;
+    needed_gain_ = {0, is_forced ? std::numeric_limits<double>::infinity() : 1.01};
     std::vector<std::uint32_t>& list = is_forced ? stuck : to_look_at_;
     const std::uint32_t t = list.back();
     list.pop_back();
     (is_forced ? is_stuck_ : is_waiting_)[t] = false;
-    if (is_bad(t) && !improve(t) && !is_forced && !is_stuck_[t]) {
+    if (is_bad(t) && !(is_forced ? force(t) : improve(t)) && !is_forced && !is_stuck_[t]) {
       stuck.push_back(t);
       is_stuck_[t] = true;
     }
@@ -147,8 +155,7 @@ bool Thin_part_merger::is_marked(std::uint32_t v, std::uint32_t w) const
 
 double Thin_part_merger::length(std::uint32_t v, std::uint32_t w) const
 {
-  const Point &p = map_.points()[v], &q = map_.points()[w];
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  return distance(map_.points()[v], map_.points()[w]);
 }
 
 void Thin_part_merger::look_at(std::uint32_t v)
@@ -275,37 +282,54 @@ static std::array<double, 3> normal_of(const Space_triangle& p)
   return result;
 }
 
-// Whether fewer angles are small, or the smallest one grows, and no triangle turns over. The normals of thin ones mean
-// nothing.
+// How many thin triangles there are less, and how much larger the smallest angle is; less than anything if a triangle
+// turns over. The normals of thin and of low ones mean nothing.
 // \param before where the triangles were
-bool Thin_part_merger::improves(const Change& change, const std::vector<Space_triangle>& before) const
+Thin_part_merger::Gain Thin_part_merger::gain(const Change& change, const std::vector<Space_triangle>& before) const
 {
+  const auto has_normal = [this](const Space_triangle& p, double angle, const Point& normal) {
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = (std::max)(longest, distance(p[i], p[(i + 1) % 3]));
+    return angle >= thin_angle_ && std::hypot(normal[0], normal[1], normal[2]) >= lowest_with_normal_ * longest;
+  };
   double old_angle = 180, new_angle = 180;
   int number_of_thin = 0; // how many there are less
+  std::vector<bool> had_normal;
   std::vector<Point> normals;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double angle = smallest_angle(before[i]).first;
     number_of_thin += is_thin(change.triangles[i], angle);
     if (!mesh_.is_kept[change.triangles[i]])
       old_angle = (std::min)(old_angle, angle);
-    if (angle >= thin_angle_)
-      normals.push_back(normal_of(before[i]));
+    const Point normal = normal_of(before[i]);
+    had_normal.push_back(has_normal(before[i], angle, normal));
+    if (had_normal.back())
+      normals.push_back(normal);
   }
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (is_removed(change.corners[i]))
       continue;
     const Space_triangle now = map_.corners(change.corners[i]);
     const double angle = smallest_angle(now).first;
-    const auto is_turned = [n = normal_of(now)](const Point& m) { return m[0] * n[0] + m[1] * n[1] + m[2] * n[2] < 0; };
-    if (angle >= thin_angle_ && (smallest_angle(before[i]).first >= thin_angle_
-                                   ? is_turned(normal_of(before[i]))
-                                   : !normals.empty() && std::all_of(normals.begin(), normals.end(), is_turned)))
-      return false;
+    const Point n = normal_of(now);
+    const auto is_turned = [&](const Point& m) { return m[0] * n[0] + m[1] * n[1] + m[2] * n[2] < 0; };
+    if (has_normal(now, angle, n) &&
+        (had_normal[i] ? is_turned(normal_of(before[i]))
+                       : !normals.empty() && std::all_of(normals.begin(), normals.end(), is_turned)))
+      return no_gain;
     number_of_thin -= is_thin(change.triangles[i], angle);
     if (!mesh_.is_kept[change.triangles[i]])
       new_angle = (std::min)(new_angle, angle);
   }
-  return needed_growth_ == 0 || number_of_thin > 0 || (number_of_thin == 0 && new_angle > old_angle * needed_growth_);
+  const double growth = old_angle > 0 ? new_angle / old_angle : std::numeric_limits<double>::infinity();
+  return {number_of_thin, new_angle > 0 ? growth : 0};
+}
+
+// Whether fewer angles are small, or the smallest one grows.
+bool Thin_part_merger::improves(const Change& change, const std::vector<Space_triangle>& before) const
+{
+  return needed_gain_ < gain(change, before);
 }
 
 bool Thin_part_merger::is_within(Change& change, double distance)
@@ -374,12 +398,18 @@ void Thin_part_merger::add_face(std::uint32_t t, Face_index f)
   stand_for_face_[f.idx()].push_back(t);
 }
 
+// Where its triangles are.
+std::vector<Space_triangle> Thin_part_merger::places(const Change& change) const
+{
+  std::vector<Space_triangle> result;
+  for (std::uint32_t t : change.triangles)
+    result.push_back(map_.corners(mesh_.triangles[t]));
+  return result;
+}
+
 bool Thin_part_merger::try_to_make(Change& change)
 {
-  std::vector<Space_triangle> before;
-  for (std::uint32_t t : change.triangles)
-    before.push_back(map_.corners(mesh_.triangles[t]));
-  if (!improves(change, before) || !is_near_enough(change))
+  if (!improves(change, places(change)) || !is_near_enough(change))
     return false;
   make(change);
   return true;
@@ -395,7 +425,6 @@ bool Thin_part_merger::is_near_enough(Change& change)
 
 bool Thin_part_merger::improve(std::uint32_t t)
 {
-  const bool is_forced = needed_growth_ == 0;
   std::array<std::tuple<double, std::uint32_t, std::uint32_t>, 3> sides;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = mesh_.triangles[t][i], w = mesh_.triangles[t][(i + 1) % 3];
@@ -406,20 +435,46 @@ bool Thin_part_merger::improve(std::uint32_t t)
     if (number_of_triangles_at(v, w) > 2)
       return separate(v, w) || separate(w, v);
   for (const auto& [length, v, w] : sides)
-    if ((!is_forced || length <= maximum_deviation_) && (contract(v, w) || contract(w, v)))
+    if (contract(v, w) || contract(w, v))
       return true;
-  const Triangle corners = mesh_.triangles[t];
-  if (is_forced) {
-    needed_growth_ = std::numeric_limits<double>::infinity(); // only fewer thin triangles count
-    return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move_along_edges(v); });
-  }
   for (const auto& [length, v, w] : sides)
     if (length <= maximum_deviation_ && cut_tube(v, w))
       return true;
   for (std::size_t i = 3; i-- > 0;) // the longest first
     if (flip(t, std::get<1>(sides[i]), std::get<2>(sides[i])))
       return true;
+  const Triangle corners = mesh_.triangles[t];
   return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move_to_mean(v); });
+}
+
+// First tries all that leaves fewer thin triangles, then the contraction of a short side that leaves the fewest; if need
+// be, one that turns triangles which are lower than the deviation.
+bool Thin_part_merger::force(std::uint32_t t)
+{
+  const Triangle corners = mesh_.triangles[t];
+  for (std::uint32_t v : corners)
+    for (std::uint32_t w : neighbors(v))
+      if (contract(v, w) || contract(w, v))
+        return true;
+  for (std::uint32_t v : corners)
+    if (move_along_edges(v))
+      return true;
+  needed_gain_ = no_gain;
+  for (double low : {0., maximum_deviation_}) {
+    lowest_with_normal_ = low;
+    std::vector<std::tuple<Gain, std::uint32_t, std::uint32_t>> contractions;
+    for (std::uint32_t v : corners)
+      for (std::uint32_t w : corners)
+        if (v != w && length(v, w) <= maximum_deviation_ && is_contractible(v, w)) {
+          const Change change = contraction(v, w);
+          contractions.emplace_back(gain(change, places(change)), v, w);
+        }
+    std::sort(contractions.rbegin(), contractions.rend());
+    for (const auto& [gain, v, w] : contractions)
+      if (contract(v, w))
+        return true;
+  }
+  return false;
 }
 
 // Whether the triangles stay a manifold of the same kind: the links of both vertices have nothing in common but the link
@@ -451,10 +506,8 @@ bool Thin_part_merger::is_contractible(std::uint32_t from, std::uint32_t to)
   return number == 1 || !(is_on_border(from) && is_on_border(to));
 }
 
-bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
+Thin_part_merger::Change Thin_part_merger::contraction(std::uint32_t from, std::uint32_t to) const
 {
-  if (!is_contractible(from, to))
-    return false;
   Change change;
   change.triangles = at_vertex_[from];
   for (std::uint32_t t : change.triangles) {
@@ -466,6 +519,14 @@ bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
   for (std::uint32_t t : at_vertex_[to])
     if (std::count(change.triangles.begin(), change.triangles.end(), t) == 0)
       change.beside.push_back(t);
+  return change;
+}
+
+bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
+{
+  if (!is_contractible(from, to))
+    return false;
+  Change change = contraction(from, to);
   if (!try_to_make(change))
     return false;
   if (from < images_.size())
@@ -572,11 +633,9 @@ bool Thin_part_merger::move(std::uint32_t v, const std::vector<Point>& toward, c
     return false;
   const Point old = map_.points()[v];
   Change change{at_vertex_[v], {}, {}};
-  std::vector<Space_triangle> before;
-  for (std::uint32_t t : change.triangles) {
+  for (std::uint32_t t : change.triangles)
     change.corners.push_back(mesh_.triangles[t]);
-    before.push_back(map_.corners(mesh_.triangles[t]));
-  }
+  const std::vector<Space_triangle> before = places(change);
   for (double part : parts)
     for (const Point& end : toward) {
       Point p = old;

@@ -73,6 +73,7 @@ private:
     std::vector<std::uint32_t> beside; // triangles that stay, and may stand for more faces
     std::vector<std::pair<std::uint32_t, Face_index>> stands_for = {}; // which triangles stand for which faces then
   };
+  using Gain = std::pair<int, double>; // how many thin triangles vanish, and the factor of the smallest angle
   // The surface in faces, as triangles.
   struct Surface_part
   {
@@ -85,13 +86,16 @@ private:
   bool is_thin(std::uint32_t t, double angle) const;
   bool is_bad(std::uint32_t t) const;
   bool improve(std::uint32_t t);
+  bool force(std::uint32_t t);
 
   Straight_map::Distance largest_distance();
   Surface_part surface_in(const std::vector<Face_index>& faces);
   std::vector<Face_index> faces_of(const std::vector<std::uint32_t>& triangles) const;
 
   std::vector<Space_triangle> in_space(const std::vector<Triangle>& triangles) const;
+  Gain gain(const Change& change, const std::vector<Space_triangle>& before) const;
   bool improves(const Change& change, const std::vector<Space_triangle>& before) const;
+  std::vector<Space_triangle> places(const Change& change) const;
   bool is_near_enough(Change& change);
   bool is_within(Change& change, double distance);
   void make(const Change& change);
@@ -99,6 +103,7 @@ private:
   bool try_to_make(Change& change);
 
   bool is_contractible(std::uint32_t from, std::uint32_t to);
+  Change contraction(std::uint32_t from, std::uint32_t to) const;
   bool contract(std::uint32_t from, std::uint32_t to);
   bool flip(std::uint32_t t, std::uint32_t a, std::uint32_t b);
   bool move_to_mean(std::uint32_t v);
@@ -109,6 +114,7 @@ private:
   std::vector<std::uint32_t> fan_between(std::uint32_t first, std::uint32_t v, std::uint32_t to) const;
   bool separate(std::uint32_t v, std::uint32_t w);
   void separate_fans(std::uint32_t v);
+  void separate_fans_around(std::uint32_t v);
   void move_to_copy(std::uint32_t v, const std::vector<std::uint32_t>& triangles);
 
   std::map<std::uint32_t, std::vector<std::uint32_t>> pieces() const;
@@ -145,7 +151,8 @@ private:
   std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step
-  double needed_growth_ = 1.01;             // of the smallest angle by a step; 0 if it need not improve anything
+  Gain needed_gain_;                        // more is needed for a step
+  double lowest_with_normal_ = 0;           // the height of triangles that must not turn over
   std::size_t number_of_removed_pieces_ = 0, number_of_rods_ = 0, number_of_bent_border_edges_ = 0;
 };
 

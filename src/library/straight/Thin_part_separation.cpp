@@ -93,9 +93,12 @@ bool Thin_part_merger::cut_tube(std::uint32_t v, std::uint32_t w)
       replace(t, cap);
       for (const auto& [number, f] : pairs)
         add_face(t, surface.faces[f]);
-      for (std::uint32_t p : cap)
-        look_at(p);
     }
+    for (const Triangle& cap : {around, copy})
+      for (std::uint32_t p : cap) {
+        separate_fans_around(p); // an edge of four triangles may be two now
+        look_at(p);
+      }
     return true;
   }
   return false;
@@ -115,15 +118,22 @@ bool Thin_part_merger::separate(std::uint32_t v, std::uint32_t w)
       continue;
     move_to_copy(v, fan);
     const std::uint32_t copy = std::uint32_t(at_vertex_.size()) - 1;
-    for (std::uint32_t x : neighbors(copy))
-      separate_fans(x);
-    separate_fans(v);
+    separate_fans_around(copy);
+    separate_fans_around(v);
     look_at(v);
     look_at(copy);
     look_at(w);
     return true;
   }
   return false;
+}
+
+// Also at its neighbors.
+void Thin_part_merger::separate_fans_around(std::uint32_t v)
+{
+  separate_fans(v);
+  for (std::uint32_t w : neighbors(v))
+    separate_fans(w);
 }
 
 // Gives each fan of triangles around v a vertex of its own.
