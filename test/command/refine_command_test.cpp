@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <iomanip>
 #include <map>
 #include <sstream>
 #include <string>
@@ -471,6 +472,37 @@ TEST_F(Refine_command, keeps_straight_triangles_near_the_surface)
     EXPECT_EQ(idt(std::string("refine bumpy.off --maximum-deviation=") + wrong).status, 2) << wrong;
   ASSERT_EQ(idt("sample one-vertex-torus -o t.gluing").status, 0);
   EXPECT_EQ(idt("refine t.gluing --maximum-deviation 1").status, 2);
+}
+
+// Around a splinter, four triangles meet at many edges: where it is cut, no vertex joins two fans afterwards.
+TEST_F(Refine_command, makes_a_surface_of_a_splinter)
+{
+  write("splinter.off", "OFF\n5 6 0\n0.347 0.001 0.001\n0.011 0 0\n1.011 0 0\n0.922 0.001 0\n0.381 0.001 0\n"
+                        "3 1 2 0\n3 4 2 1\n3 1 0 4\n3 3 0 2\n3 2 4 3\n3 3 4 0\n");
+  for (const char* deviation : {"0.02", "0.03", "0.05"}) {
+    const Command_run run = idt(std::string("refine splinter.off --flatten f.off --maximum-deviation ") + deviation);
+    EXPECT_EQ(run.status, 0) << run.err;
+  }
+}
+
+// Near the tip of a flattened cone, faces are left that are farther away.
+TEST_F(Refine_command, names_a_deviation_that_suffices)
+{
+  std::ostringstream cone;
+  cone << "OFF\n13 12 0\n";
+  for (int i = 0; i < 12; ++i)
+    cone << std::setprecision(17) << std::cos(std::acos(-1.) * i / 6) << ' ' << 0.1 * std::sin(std::acos(-1.) * i / 6)
+         << " 0\n";
+  cone << "0 0 4\n";
+  for (int i = 0; i < 12; ++i)
+    cone << "3 " << i << ' ' << (i + 1) % 12 << " 12\n";
+  write("cone.off", cone.str());
+  Command_run run = idt("refine cone.off --maximum-deviation 0.05 --stats s.json");
+  ASSERT_EQ(run.status, 4);
+  const double named = stats()["flattened"]["sufficient_deviation"];
+  EXPECT_TRUE(contains(run.err, " suffices, as was tried")) << run.err;
+  run = idt("refine cone.off --maximum-deviation " + std::to_string(named));
+  EXPECT_EQ(run.status, 0) << run.err;
 }
 
 // With names in Gmsh's and Abaqus' files, which other programs read back.
