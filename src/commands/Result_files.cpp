@@ -31,7 +31,7 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
   add_option(command, "--stats", stats, "F.json", "write the verbose report as a JSON object");
   add_option(command, "--edges", edges, "F.csv",
              "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,original; the weight is "
-             "empty where it is infinite, beside a face of zero area");
+             "cot + cot, and empty where it is infinite, beside a face of zero area");
   add_option(command, "--laplacian", Laplacian, "F.mtx",
              "write the Laplace-Beltrami operator as a Matrix Market file: positive "
              "semidefinite, entries -(cot + cot)/2, natural boundary conditions");
