@@ -268,10 +268,13 @@ Distance_lines find_lines(const Line_options& options,
   Distance_lines result;
   result.input = triangulation.input();
   if (options.has_isolines()) {
-    double longest = 0; // no point of a face is farther from its corners
-    for (IT::Edge_index e : triangulation.connectivity().edges())
-      longest = (std::max)(longest, triangulation.length(e));
-    std::vector<double> distances = options.step ? multiples(*options.step, largest + longest) : options.distances;
+    std::vector<double> distances = options.distances;
+    if (options.step) {
+      double longest = 0; // no point of a face is farther from its corners
+      for (IT::Edge_index e : triangulation.connectivity().edges())
+        longest = (std::max)(longest, triangulation.length(e));
+      distances = multiples(*options.step, largest + longest);
+    }
     for (double& d : distances)
       d = std::abs(d);
     result.isolines = IT::isolines(triangulation, sources, distances, np);

@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
-#include "../gluing/Cut_faces.h"
 #include "coordinates_in_part.h"
 
 #include <algorithm>

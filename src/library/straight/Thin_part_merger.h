@@ -15,8 +15,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 

@@ -130,7 +130,8 @@ private:
     const Straight_map::Distance distance = merger();
     mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
     mesh_.number_of_rods = merger.number_of_rods();
-    mesh_.number_of_new_components = merger.number_of_new_components();
+    if (maximum_deviation > 0)
+      mesh_.number_of_new_components = merger.number_of_new_components();
     number_of_new_border_parts_ += merger.number_of_bent_border_edges();
     images_ = merger.images();
     mesh_.deviation = map_.bound(distance.value);
@@ -239,25 +240,32 @@ private:
   // Regions that lie along each other without a marked edge, as what was between them has vanished, have a line, too.
   void find_lines()
   {
-    std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>> regions; // beside edges
+    std::vector<std::array<std::uint32_t, 3>> sides; // with the region
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         const auto [v, w] = std::minmax(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
-        regions[{v, w}].push_back(mesh_.regions[t]);
+        sides.push_back({v, w, mesh_.regions[t]});
       }
-    std::vector<std::array<std::uint32_t, 2>> edges;
-    for (auto& [ends, beside] : regions) {
-      std::sort(beside.begin(), beside.end());
-      if (beside.front() != beside.back() ||
-          std::binary_search(mesh_.marked_edges.begin(), mesh_.marked_edges.end(), ends))
-        edges.push_back(ends);
+    std::sort(sides.begin(), sides.end());
+    const std::vector<std::array<std::uint32_t, 2>> marked = std::move(mesh_.marked_edges);
+    mesh_.marked_edges.clear();
+    std::vector<std::vector<std::uint32_t>> regions; // beside each edge
+    for (auto begin = sides.begin(), end = begin; begin != sides.end(); begin = end) {
+      const std::array<std::uint32_t, 2> ends{(*begin)[0], (*begin)[1]};
+      while (end != sides.end() && (*end)[0] == ends[0] && (*end)[1] == ends[1])
+        ++end;
+      if ((*begin)[2] == (*(end - 1))[2] && !std::binary_search(marked.begin(), marked.end(), ends))
+        continue;
+      mesh_.marked_edges.push_back(ends);
+      regions.emplace_back();
+      for (auto side = begin; side != end; ++side)
+        regions.back().push_back((*side)[2]);
     }
-    mesh_.marked_edges = std::move(edges);
     Disjoint_sets sets(mesh_.marked_edges.size());
     std::map<std::pair<std::uint32_t, std::vector<std::uint32_t>>, std::uint32_t> edge_at; // each end, by the regions
     for (std::uint32_t i = 0; i < mesh_.marked_edges.size(); ++i)
       for (std::uint32_t v : mesh_.marked_edges[i])
-        sets.unite(edge_at.try_emplace({v, regions[mesh_.marked_edges[i]]}, i).first->second, i);
+        sets.unite(edge_at.try_emplace({v, regions[i]}, i).first->second, i);
     std::vector<std::size_t> lines;
     mesh_.number_of_lines = std::uint32_t(sets.number(lines));
     mesh_.lines.assign(lines.begin(), lines.end());

@@ -44,6 +44,7 @@ std::vector<Edge_part> bent_parts(const Delta_complex& complex, const std::vecto
                                   const std::vector<bool>& is_fixed, double deviation);
 
 // Makes these parts segments, as far as they are still edges of the triangulation: first inserts their ends.
+// \param maximum_number of vertices; an edge for whose ends there is no room is kept whole
 // \param is_segment for each edge; gets those that are added
 template <class Traits>
 void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double deviation, std::uint64_t maximum_number,
@@ -71,7 +72,7 @@ void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double devi
     }
   const std::vector<Edge_part> parts =
     bent_parts(input, points, is_fixed, std::ldexp(deviation, -metric.unit_exponent()));
-  const std::uint64_t most_vertices = complex.number_of_vertices() + maximum_number;
+  const std::uint64_t number_before = complex.number_of_vertices();
   for (Edge_index e : input.edges()) {
     Edge_part part = parts[e.idx()];
     Halfedge_index h = halfedges[e.idx()];
@@ -79,7 +80,7 @@ void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double devi
       continue;
     if ((part.begin > 0 || part.end < 1) && complex.is_self_glued(complex.edge(h)))
       continue; // an edge within one face cannot be split
-    if (complex.number_of_vertices() + 2 > most_vertices)
+    if (complex.number_of_vertices() - number_before + 2 > maximum_number)
       part = {0, 1};
     // \return the part beyond
     const auto split = [&](double t) {
