@@ -61,6 +61,7 @@
 #include "straight/nearness.cpp"
 #include "straight/straight_mesh.cpp"
 #include "cover/Cover_builder.cpp"
+#include "cover/cover_of_complex.cpp"
 #include "distances/Curve_sources.cpp"
 #include "distances/Distance_bounds.cpp"
 #include "distances/Distance_search.cpp"

@@ -3,44 +3,35 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// From triangles, or a surface given by lengths, to the surface that covers them.
+// From triangles to the surface that covers them.
 
+#include "Flat_face_remover.h"
+#include "Triangle_cleaner.h"
+
+#include "../gluing/Faces_around_edge.h"
+#include "../gluing/Sides_by_edge.h"
+
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include "Flat_face_remover.h"
-#include "../gluing/Faces_around_edge.h"
-#include "../gluing/Sides_by_edge.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// For each vertex, whether it has a face.
-inline std::vector<bool> have_faces(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
-{
-  std::vector<bool> result(number_of_vertices, false);
-  for (const Index_triangle& t : triangles)
-    for (std::uint32_t v : t)
-      result[v] = true;
-  return result;
-}
 
 // Triangles in space with glued sides. Side 3f + i runs from corner i of face f to corner i + 1.
 struct Glued_faces
@@ -55,153 +46,6 @@ struct Glued_faces
     glued_to[s] = t;
     glued_to[t] = s;
   }
-};
-
-// Triangles with corners at three different places; each corner is the vertex that represents the given one.
-struct Cleaned_triangles
-{
-  std::vector<Index_triangle> triangles;
-  std::vector<std::uint32_t> input_face;     // of each triangle
-  std::vector<std::uint32_t> representative; // of each vertex
-  std::vector<Wire> wires;                   // of faces that lost a corner
-  Tufted_cover_report report;                // numbers of vertices and faces, dropped and merged ones
-};
-
-// \param merged pairs of vertices to unite, besides those that the options merge
-// \exception Invalid_surface_error if the point of a vertex with a face is not finite, or by Coincident_vertices::ERROR
-// \pre the vertices exist
-class Triangle_cleaner
-{
-public:
-  Triangle_cleaner(const Points& points, std::vector<Index_triangle> triangles, const Cover_options& options)
-    : points_(points), options_(options)
-  {
-    result_.triangles = std::move(triangles);
-    result_.report.number_of_vertices = points.size();
-    result_.report.number_of_faces = result_.triangles.size();
-  }
-
-  Cleaned_triangles run(const std::vector<Vertex_number_pair>& merged)
-  {
-    check_points();
-    result_.input_face.resize(result_.triangles.size());
-    std::iota(result_.input_face.begin(), result_.input_face.end(), std::uint32_t(0));
-    result_.report.repeated_corner_faces = remove_if([](const Index_triangle& t) { return repeats_a_corner(t); });
-    Disjoint_sets sets(points_.size());
-    for (const auto& [v, w] : merged)
-      sets.unite(v, w);
-    if (options_.is_welded)
-      weld(sets);
-    treat_short_edges(sets);
-    name_representatives(sets);
-    count_unreferenced();
-    return std::move(result_);
-  }
-
-private:
-  static bool repeats_a_corner(const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-  // Also vertices that no face names: the constructors of triangulations refuse them, too.
-  void check_points() const
-  {
-    for (std::size_t v = 0; v < points_.size(); ++v)
-      for (double x : points_[v])
-        if (!std::isfinite(x))
-          throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, v, 1,
-                                      "vertex " + std::to_string(v) + " has a coordinate that is not finite");
-  }
-
-  // Returns how many there were.
-  template <class Condition>
-  std::size_t remove_if(const Condition& condition)
-  {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < result_.triangles.size(); ++i)
-      if (!condition(result_.triangles[i])) {
-        result_.triangles[n] = result_.triangles[i];
-        result_.input_face[n++] = result_.input_face[i];
-      }
-    const std::size_t removed = result_.triangles.size() - n;
-    result_.triangles.resize(n);
-    result_.input_face.resize(n);
-    return removed;
-  }
-
-  void weld(Disjoint_sets& sets) const
-  {
-    const std::vector<bool> has_face = have_faces(points_.size(), result_.triangles);
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t v = 0; v < points_.size(); ++v)
-      if (has_face[v])
-        order.push_back(v);
-    std::sort(order.begin(), order.end(), [this](std::uint32_t v, std::uint32_t w) { return points_[v] < points_[w]; });
-    for (std::size_t i = 1; i < order.size(); ++i)
-      if (points_[order[i - 1]] == points_[order[i]])
-        sets.unite(order[i - 1], order[i]);
-  }
-
-  // The first corner of a side whose ends are at the same place but are different vertices, or 3.
-  int find_short_side(const Index_triangle& t, Disjoint_sets& sets) const
-  {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t v = t[i], w = t[(i + 1) % 3];
-      if (points_[v] == points_[w] && sets.find(v) != sets.find(w))
-        return i;
-    }
-    return 3;
-  }
-
-  void treat_short_edges(Disjoint_sets& sets)
-  {
-    if (options_.coincident_vertices == Coincident_vertices::DROP) {
-      result_.report.zero_length_faces =
-        remove_if([&](const Index_triangle& t) { return find_short_side(t, sets) < 3; });
-      return;
-    }
-    for (std::size_t f = 0; f < result_.triangles.size(); ++f) {
-      const Index_triangle& t = result_.triangles[f];
-      for (int i = find_short_side(t, sets); i < 3; i = find_short_side(t, sets)) {
-        const std::uint32_t v = t[i], w = t[(i + 1) % 3];
-        if (options_.coincident_vertices == Coincident_vertices::ERROR)
-          throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, 1,
-                                      "vertices " + std::to_string(v) + " and " + std::to_string(w) + " of face " +
-                                        std::to_string(result_.input_face[f]) +
-                                        " are at the same place; merge them, or drop the face");
-        sets.unite(v, w);
-      }
-    }
-  }
-
-  void name_representatives(Disjoint_sets& sets)
-  {
-    result_.representative.resize(points_.size());
-    for (std::uint32_t v = 0; v < points_.size(); ++v) {
-      result_.representative[v] = sets.find(v);
-      result_.report.merged_vertices += result_.representative[v] != v;
-    }
-    if (result_.report.merged_vertices == 0)
-      return;
-    for (Index_triangle& t : result_.triangles)
-      for (std::uint32_t& v : t)
-        v = result_.representative[v];
-    for (std::size_t f = 0; f < result_.triangles.size(); ++f) {
-      const auto& [a, b, c] = result_.triangles[f];
-      if (const std::uint32_t other = a == b ? c : b; repeats_a_corner(result_.triangles[f]) && other != a)
-        result_.wires.push_back({{a, other}, result_.input_face[f]});
-    }
-    result_.report.collapsed_faces = remove_if([](const Index_triangle& t) { return repeats_a_corner(t); });
-  }
-
-  void count_unreferenced()
-  {
-    const std::vector<bool> has_row = have_faces(points_.size(), result_.triangles);
-    for (std::uint32_t v = 0; v < points_.size(); ++v)
-      result_.report.unreferenced_vertices += !has_row[result_.representative[v]];
-  }
-
-  const Points& points_;
-  const Cover_options& options_;
-  Cleaned_triangles result_;
 };
 
 class Cover_builder
@@ -499,93 +343,6 @@ Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>
     }
     merged.insert(merged.end(), coincident.begin(), coincident.end());
   }
-}
-
-// A complex and a turned-over copy of it, glued along the border. Face f is copied as face f and, turned over, as f +
-// n. Also fills the vertices below, and the lengths of the edges.
-inline Delta_complex doubled(const Delta_complex& complex, const std::vector<double>& lengths,
-                             std::vector<std::uint32_t>& vertex_of, std::vector<double>& doubled_lengths)
-{
-  using Index = std::uint32_t;
-  const std::size_t n = complex.number_of_faces();
-  check_size(12 * n);
-  // Calls visit(h, s) for the halfedge of each side s.
-  const auto for_each_side = [](const Delta_complex& of, const auto& visit) {
-    for (Face_index f : of.faces()) {
-      Halfedge_index h = of.halfedge(f);
-      for (Index i = 0; i < 3; ++i, h = of.next(h))
-        visit(h, 3 * f.idx() + i);
-    }
-  };
-  const auto back_side = [n](Index s) { return Index(3 * (n + s / 3) + 2 - s % 3); };
-
-  vertex_of.resize(complex.number_of_vertices());
-  std::iota(vertex_of.begin(), vertex_of.end(), Index(0));
-  std::vector<Index> back_vertex = vertex_of;
-  for (Vertex_index v : complex.vertices())
-    if (complex.halfedge(v).is_valid() && !complex.is_border(complex.halfedge(v))) {
-      back_vertex[v.idx()] = Index(vertex_of.size());
-      vertex_of.push_back(v.idx());
-    }
-  std::vector<Index> side_of(complex.number_of_halfedges());
-  for_each_side(complex, [&](Halfedge_index h, Index s) { side_of[h.idx()] = s; });
-  Large_vector<Index> corner_vertex(6 * n, default_init), glued_to(6 * n, default_init);
-  std::vector<double> length_of_side(6 * n);
-  for_each_side(complex, [&](Halfedge_index h, Index s) {
-    const Index back = back_side(s);
-    const Halfedge_index g = complex.opposite(h);
-    corner_vertex[s] = complex.source(h).idx();
-    corner_vertex[back] = back_vertex[complex.target(h).idx()];
-    glued_to[s] = complex.is_border(g) ? back : side_of[g.idx()];
-    glued_to[back] = complex.is_border(g) ? s : back_side(side_of[g.idx()]);
-    length_of_side[s] = length_of_side[back] = lengths[complex.edge(h).idx()];
-  });
-  Delta_complex result =
-    Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(glued_to));
-  doubled_lengths.resize(result.number_of_edges());
-  for_each_side(result, [&](Halfedge_index h, Index s) { doubled_lengths[result.edge(h).idx()] = length_of_side[s]; });
-  return result;
-}
-
-Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vector<double>& lengths,
-                                    const Cover_options& options)
-{
-  CGAL_precondition(lengths.size() == complex.number_of_edges());
-  using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
-  Tufted_cover_report report;
-  report.number_of_vertices = complex.number_of_vertices();
-  report.number_of_faces = complex.number_of_faces();
-  for (Edge_index e : complex.edges())
-    report.border_edges += complex.is_border(e);
-  for (Vertex_index v : complex.vertices())
-    report.unreferenced_vertices += !complex.halfedge(v).is_valid();
-
-  const std::size_t n = complex.number_of_faces();
-  const bool is_doubled = options.cover == Surface_cover::TUFTED && report.border_edges > 0;
-  std::vector<std::uint32_t> representative(complex.number_of_vertices()), face_of(n), vertex_of;
-  std::iota(representative.begin(), representative.end(), std::uint32_t(0));
-  std::iota(face_of.begin(), face_of.end(), std::uint32_t(0));
-  std::vector<bool> is_back(n, false);
-  Delta_complex cover = complex;
-  std::vector<double> cover_lengths = lengths;
-  vertex_of = representative;
-  if (is_doubled) {
-    cover = doubled(complex, lengths, vertex_of, cover_lengths);
-    face_of.resize(2 * n);
-    std::iota(face_of.begin() + std::ptrdiff_t(n), face_of.end(), std::uint32_t(0));
-    is_back.resize(2 * n, true);
-  }
-  if (options.mollification > 0)
-    report.mollification = mollify_lengths(cover, cover_lengths, options.mollification);
-  return {Triangulation::from_lengths(std::move(cover), std::move(cover_lengths)),
-          std::move(vertex_of),
-          std::move(face_of),
-          std::move(is_back),
-          std::vector<bool>(is_doubled ? 2 * n : n, is_doubled),
-          std::move(representative),
-          report,
-          false,
-          {}};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
