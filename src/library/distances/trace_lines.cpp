@@ -7,10 +7,11 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/trace_lines.h>
 
+#include "Line_budget.h"
 #include "Line_pieces.h"
+#include "Waves_in_triangle.h"
 #include "wave_functions.h"
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 
 #include <boost/functional/hash.hpp>
@@ -20,12 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iomanip>
 #include <limits>
-#include <locale>
 #include <optional>
-#include <sstream>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -48,27 +45,6 @@ struct Triangle
   std::uint32_t face;            // of the triangulation
 };
 
-// A wave at the corners of a triangle. It is convex: nowhere above the linear function with these values, and below it
-// by three times as much as in the middle at most, because the middle divides the way from any point through it to the
-// boundary at two thirds or earlier.
-struct Wave_in_triangle
-{
-  const Wave* wave;
-  std::array<double, 3> values;
-  double dip;
-
-  double lowest() const { return *std::min_element(values.begin(), values.end()) - dip; }
-  double highest() const { return *std::max_element(values.begin(), values.end()); }
-  // Whether it is nowhere lower than another one, but for a tolerance.
-  bool is_above(const Wave_in_triangle& other, double tolerance) const
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (values[i] - other.values[i] < dip - tolerance)
-        return false;
-    return true;
-  }
-};
-
 // The faces of the overlay are cut into triangles, and these at their longest sides: until no line can be in them, or
 // distances are nearly linear, or they are as small as the tolerance. What a vertex is, above or below a level, or
 // nearest to which source, is decided once; likewise where a line crosses a side. So lines have no gaps.
@@ -78,8 +54,7 @@ public:
   Line_tracer(const Common_subdivision& subdivision, const Laid_out_faces& faces, const Waves& waves,
               const Wanted_lines& wanted, const Interruption& interruption)
     : subdivision_(subdivision), faces_(faces), waves_(waves), wanted_(wanted), interruption_(interruption),
-      most_points_(1000000 + 10 * std::uint64_t(subdivision.overlay().number_of_vertices())),
-      ranks_(subdivision.overlay().number_of_vertices(), unknown)
+      budget_(subdivision.overlay().number_of_vertices()), ranks_(subdivision.overlay().number_of_vertices(), unknown)
   {}
 
   std::vector<Traced_line> run()
@@ -89,7 +64,7 @@ public:
     std::vector<Triangle> coarse;
     for (Overlay::Face f : subdivision_.overlay().faces())
       triangulate(input, intrinsic, f, coarse);
-    require_few_points();
+    budget_.require_few_expected(wanted_.levels.size() > 1);
     for (const Triangle& t : coarse)
       refine(t, waves_in(t.face));
     while (conform())
@@ -100,7 +75,7 @@ public:
   }
 
 private:
-  using Seen = std::vector<Wave_in_triangle>;
+  using Seen = Waves_in_triangle;
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
   using Crossing = std::pair<Line_pieces::Node, double>;
 
@@ -139,69 +114,29 @@ private:
         continue;
       coarse.push_back(t);
       if (has_levels())
-        crossings_of_triangles_.push_back(count_crossings(t, seen));
+        expect_points(t, seen);
     }
   }
 
-  // How many levels meet a triangle, and by how much the distance bends along them in multiples of the tolerance: chords
-  // take about a square root of it.
-  std::pair<double, double> count_crossings(const Triangle& t, const Seen& seen) const
+  void expect_points(const Triangle& t, const Seen& seen)
   {
-    const auto [lowest, highest] = range(seen);
+    const auto [lowest, highest] = seen.range();
     const auto begin = std::lower_bound(wanted_.levels.begin(), wanted_.levels.end(), lowest),
                end = std::upper_bound(begin, wanted_.levels.end(), highest);
     if (begin == end)
-      return {0, 0};
+      return;
     double dip = 0;
     for (const Wave_in_triangle& w : seen)
       dip = (std::max)(dip, w.dip);
-    return {double(end - begin), (std::min)(dip, *(end - 1)) / tolerance(t, seen)};
-  }
-
-  // An estimate, if the tolerance is multiplied.
-  double number_of_points(double factor) const
-  {
-    double result = 0;
-    for (const auto& [number, bend] : crossings_of_triangles_)
-      result += number * (std::max)(1., std::sqrt(bend / factor));
-    return result;
-  }
-
-  // \exception Invalid_argument_error if there are too many
-  void require_few_points() const
-  {
-    const double number = number_of_points(1);
-    if (!(number > double(most_points_)))
-      return;
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(1) << "the lines need about " << number / 1e6
-         << " million points, more than " << double(most_points_) / 1e6 << " million; " << std::setprecision(0);
-    const char* separator = "";
-    if (wanted_.levels.size() > 1) {
-      text << "one in " << std::ceil(number / double(most_points_)) << " of the distances would do";
-      separator = ", or ";
-    }
-    if (number_of_points(infinity) < double(most_points_)) {
-      double factor = 2;
-      while (number_of_points(factor) > double(most_points_))
-        factor *= 2;
-      text << separator << "a chord tolerance " << factor << " times as large" << (*separator ? "" : " would do");
-    }
-    throw Invalid_argument_error(text.str());
+    budget_.expect(double(end - begin), (std::min)(dip, *(end - 1)) / tolerance(t, seen));
   }
 
   void keep(const Triangle& t)
   {
-    if (has_levels()) {
-      const std::array<std::uint32_t, 3> ranks = ranks_of(t);
-      const auto [low, high] = std::minmax_element(ranks.begin(), ranks.end());
-      number_of_points_ += *high - *low;
-    }
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    const auto [low, high] = std::minmax_element(ranks.begin(), ranks.end());
     fine_.push_back(t);
-    if (number_of_points_ > 2 * most_points_ || fine_.size() > 20 * most_points_)
-      throw Invalid_argument_error("the lines need more than " + std::to_string(2 * most_points_) +
-                                   " points: give fewer distances at a time, or a larger chord tolerance");
+    budget_.count(has_levels() ? *high - *low : 0, fine_.size());
   }
 
   std::vector<const Wave*> waves_in(std::uint32_t face) const
@@ -215,20 +150,7 @@ private:
   // The waves that may be the lowest somewhere in a triangle. The ranks of its corners are then known.
   Seen look(const Triangle& t, const std::vector<const Wave*>& waves)
   {
-    const plane::Vector &a = t.corners[0].at, &b = t.corners[1].at, &c = t.corners[2].at,
-                        middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
-    Seen result;
-    double highest = infinity;
-    for (const Wave* wave : waves) {
-      Wave_in_triangle w{wave, {distance(*wave, a), distance(*wave, b), distance(*wave, c)}, 0};
-      w.dip = (std::max)(0., w.values[0] + w.values[1] + w.values[2] - 3 * distance(*wave, middle));
-      highest = (std::min)(highest, w.highest());
-      result.push_back(w);
-    }
-    const double margin = slack(t);
-    result.erase(std::remove_if(result.begin(), result.end(),
-                                [&](const Wave_in_triangle& w) { return w.lowest() > highest + margin; }),
-                 result.end());
+    Seen result(waves, t.corners[0].at, t.corners[1].at, t.corners[2].at, slack(t));
     for (std::size_t i = 0; i < 3; ++i)
       if (ranks_[t.corners[i].vertex] == unknown)
         ranks_[t.corners[i].vertex] = rank(result, i);
@@ -334,16 +256,8 @@ private:
   // At least the rounding of what is compared with it.
   double tolerance(const Triangle& t, const Seen& seen) const
   {
-    const double rounding_of_dips = 0x1p-49 * (faces_.side(3 * t.face).length + range(seen).second);
+    const double rounding_of_dips = 0x1p-49 * (faces_.side(3 * t.face).length + seen.range().second);
     return (std::max)(wanted_.chord_tolerance, rounding_of_dips) + slack(t);
-  }
-
-  static std::pair<double, double> range(const Seen& seen)
-  {
-    std::pair<double, double> result{infinity, infinity};
-    for (const Wave_in_triangle& w : seen)
-      result = {(std::min)(result.first, w.lowest()), (std::min)(result.second, w.highest())};
-    return result;
   }
 
   // Whether no line can be in a triangle or on its sides, wherever these will be divided. With a tolerance of the search,
@@ -357,7 +271,7 @@ private:
       return wanted_.search_tolerance == 0 && std::all_of(seen.begin(), seen.end(), [&](const Wave_in_triangle& w) {
                return w.wave->source == ranks[0];
              });
-    const auto [lowest, highest] = range(seen);
+    const auto [lowest, highest] = seen.range();
     const double margin = (wanted_.search_tolerance > 0 ? faces_.side(3 * t.face).length : 0) + 10 * rounding * highest;
     const auto level = std::lower_bound(wanted_.levels.begin(), wanted_.levels.end(), lowest - margin);
     return level == wanted_.levels.end() || *level > highest + margin;
@@ -365,14 +279,14 @@ private:
 
   bool follows_levels(const Triangle& t, const Seen& seen) const
   {
-    const auto [lowest, highest] = range(seen);
+    const auto [lowest, highest] = seen.range();
     const double margin = tolerance(t, seen);
     std::array<std::uint32_t, 3> ranks = ranks_of(t);
     std::sort(ranks.begin(), ranks.end());
     const std::vector<double>& levels = wanted_.levels;
     return (ranks[0] == 0 || !(lowest < levels[ranks[0] - 1] - margin)) &&
            (ranks[2] == levels.size() || !(highest > levels[ranks[2]] + margin)) &&
-           (ranks[0] == ranks[2] || is_nearly_linear(seen, unknown, margin));
+           (ranks[0] == ranks[2] || seen.is_nearly_linear(Seen::any_source, margin));
   }
 
   bool follows_cells(const Triangle& t, const Seen& seen) const
@@ -391,7 +305,7 @@ private:
           }))
         return false;
     return ranks[0] == ranks[2] ||
-           (is_nearly_linear(seen, ranks[0], margin / 2) && is_nearly_linear(seen, ranks[2], margin / 2));
+           (seen.is_nearly_linear(ranks[0], margin / 2) && seen.is_nearly_linear(ranks[2], margin / 2));
   }
 
   // Whether lines cross the sides where no third source is nearer, and three lines have a common point inside.
@@ -402,10 +316,10 @@ private:
     const std::array<std::uint32_t, 3> ranks = ranks_of(t);
     for (std::size_t i = 0; i < 3; ++i)
       if (const std::size_t j = (i + 1) % 3;
-          ranks[i] != ranks[j] && has_source_beside(seen, {ranks[i], ranks[j], ranks[j]})) {
+          ranks[i] != ranks[j] && seen.has_source_beside({ranks[i], ranks[j], ranks[j]})) {
         const double at = cross_side(t, i, 0, seen).second;
         const auto& [a, b] = ends(t, i);
-        if (is_other_nearer(seen, between(a, b, at, 0).at, {ranks[i], ranks[j], ranks[j]}))
+        if (seen.is_other_nearer(between(a, b, at, 0).at, {ranks[i], ranks[j], ranks[j]}))
           return false;
       }
     return !are_different(ranks) || common_point(t, seen);
@@ -415,34 +329,6 @@ private:
     return r[0] != r[1] && r[1] != r[2] && r[2] != r[0];
   }
 
-  using Sources = std::array<std::uint32_t, 3>; // perhaps with repetitions
-  static bool contains(const Sources& sources, std::uint32_t source)
-  {
-    return std::find(sources.begin(), sources.end(), source) != sources.end();
-  }
-  static bool has_source_beside(const Seen& seen, const Sources& sources)
-  {
-    return std::any_of(seen.begin(), seen.end(),
-                       [&](const Wave_in_triangle& w) { return !contains(sources, w.wave->source); });
-  }
-  static bool is_other_nearer(const Seen& seen, const plane::Vector& p, const Sources& sources)
-  {
-    double own = infinity, other = infinity;
-    for (const Wave_in_triangle& w : seen) {
-      double& least = contains(sources, w.wave->source) ? own : other;
-      least = (std::min)(least, distance(*w.wave, p));
-    }
-    return other < own * (1 - 10 * rounding);
-  }
-
-  static double nearest(const Seen& seen, const plane::Vector& p, std::uint32_t source)
-  {
-    double result = infinity;
-    for (const Wave_in_triangle& w : seen)
-      if (source == unknown || w.wave->source == source)
-        result = (std::min)(result, distance(*w.wave, p));
-    return result;
-  }
   // The point of a triangle at the same distance from the sources nearest to its corners, if it has one. Distances are nearly
   // linear there.
   std::optional<Coordinates> common_point(const Triangle& t, const Seen& seen) const
@@ -450,8 +336,8 @@ private:
     const std::array<std::uint32_t, 3> ranks = ranks_of(t);
     // By how much the second and third source are farther than the first.
     const auto excess = [&](const plane::Vector& p) {
-      const double d = nearest(seen, p, ranks[0]);
-      return plane::Vector{nearest(seen, p, ranks[1]) - d, nearest(seen, p, ranks[2]) - d};
+      const double d = seen.nearest(p, ranks[0]);
+      return plane::Vector{seen.nearest(p, ranks[1]) - d, seen.nearest(p, ranks[2]) - d};
     };
     const plane::Vector &o = t.corners[0].at, a = plane::difference(t.corners[1].at, o),
                         b = plane::difference(t.corners[2].at, o), at_o = excess(o),
@@ -465,29 +351,14 @@ private:
       y += plane::cross(now, along_a) / det;
       p = {o[0] + x * a[0] + y * b[0], o[1] + x * a[1] + y * b[1]};
       now = excess(p);
-      if ((std::max)(std::abs(now[0]), std::abs(now[1])) <= 1e-15 * nearest(seen, p, ranks[0]))
+      if ((std::max)(std::abs(now[0]), std::abs(now[1])) <= 1e-15 * seen.nearest(p, ranks[0]))
         break;
     }
     if (!(x >= 0 && y >= 0 && x + y <= 1 &&
-          (std::max)(std::abs(now[0]), std::abs(now[1])) <= 10 * rounding * nearest(seen, p, ranks[0])) ||
-        is_other_nearer(seen, p, ranks))
+          (std::max)(std::abs(now[0]), std::abs(now[1])) <= 10 * rounding * seen.nearest(p, ranks[0])) ||
+        seen.is_other_nearer(p, ranks))
       return std::nullopt;
     return Coordinates{1 - x - y, x, y};
-  }
-
-  // Whether the distance from a source, or from all, is nowhere above a linear function, that of the lowest wave, and
-  // below it by a tolerance at most. So it differs no more along a chord with equal distances at both ends.
-  static bool is_nearly_linear(const Seen& seen, std::uint32_t source, double tolerance)
-  {
-    const Wave_in_triangle* lowest = nullptr;
-    const auto sum = [](const Wave_in_triangle& w) { return w.values[0] + w.values[1] + w.values[2]; };
-    const auto is_other = [&](const Wave_in_triangle& w) { return source != unknown && w.wave->source != source; };
-    for (const Wave_in_triangle& w : seen)
-      if (!is_other(w) && (lowest == nullptr || sum(w) < sum(*lowest)))
-        lowest = &w;
-    return lowest != nullptr && lowest->dip <= tolerance &&
-           std::all_of(seen.begin(), seen.end(),
-                       [&](const Wave_in_triangle& w) { return is_other(w) || w.is_above(*lowest, tolerance); });
   }
 
   std::array<std::uint32_t, 3> ranks_of(const Triangle& t) const
@@ -581,10 +452,10 @@ private:
       const plane::Vector p = between(a, b, t, 0).at;
       if (has_levels()) {
         scale = wanted_.levels[level];
-        return (nearest(seen, p, unknown) - scale) * (rises ? 1 : -1);
+        return (seen.nearest(p, Seen::any_source) - scale) * (rises ? 1 : -1);
       }
-      scale = nearest(seen, p, rank_a);
-      return scale - nearest(seen, p, rank_b);
+      scale = seen.nearest(p, rank_a);
+      return scale - seen.nearest(p, rank_b);
     };
     double low = 0, high = 1, at_low = function(0), at_high = function(1);
     if (!(at_low < -rounding * scale))
@@ -610,10 +481,8 @@ private:
   const Waves& waves_;
   const Wanted_lines& wanted_;
   const Interruption& interruption_;
-  const std::uint64_t most_points_;
-  std::uint64_t number_of_points_ = 0;
-  std::vector<std::pair<double, double>> crossings_of_triangles_; // before they are divided
-  std::vector<std::uint32_t> ranks_;                              // of the vertices: first those of the overlay
+  Line_budget budget_;
+  std::vector<std::uint32_t> ranks_; // of the vertices: first those of the overlay
   std::unordered_map<Edge, std::uint32_t, boost::hash<Edge>> middles_;
   std::vector<Triangle> fine_;
   std::unordered_map<Edge_and_level, Crossing, boost::hash<Edge_and_level>> crossings_;
