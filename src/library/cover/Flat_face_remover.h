@@ -24,21 +24,22 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 using Vertex_number_pair = std::pair<std::uint32_t, std::uint32_t>;
 
-// An edge, and a face at which it lies: what is left of one that lost a corner.
+// An edge and a face beside it: the remains of a face that lost a corner.
 struct Wire
 {
   Vertex_number_pair ends;
   std::uint32_t face;
 };
 
-// A face without area is a segment: its longest side runs past its third corner, and is the same line as the two other
-// sides. So all other faces at that side are cut there, into triangles that lie in space where they did, and the face
-// is not needed any more. What these faces put between the ends of an edge is found for the longest edges first, as it
-// lies on shorter ones, too. Edges between the same two vertices are one edge, as everywhere.
+// A face without area is a segment: its longest side runs through its third corner and coincides with the two other
+// sides. So all other faces at that side are cut at that corner, into triangles that together lie in space where they
+// did, and the face is no longer needed. The vertices that such faces put between the ends of an edge are found for the
+// longest edges first, since they lie on shorter ones, too. Edges between the same two vertices are one edge, as
+// everywhere.
 class Flat_face_remover
 {
   using Index = std::uint32_t;
-  using Ends = Vertex_number_pair; // of an edge, in the order of their points, which are different
+  using Ends = Vertex_number_pair; // of an edge, in the order of their points, which differ
 
 public:
   // \param names of the faces, for the results
@@ -71,12 +72,12 @@ public:
 
   // Pairs of different vertices that turned out to be at one point. If there are any, nothing else is known.
   std::vector<Vertex_number_pair> coincident;
-  // The faces with area, cut, and for each the name of the one of which it is a part.
+  // The faces with area, cut, each with the name of the face that it is a part of.
   std::vector<Index_triangle> triangles;
   std::vector<Index> names_of_triangles;
-  // Pairs of sides 3f + i where faces were cut. They are no edges of others.
+  // Pairs of sides 3f + i where faces were cut. Other faces do not share these edges.
   std::vector<std::array<Index, 2>> cuts;
-  // Edges at which only faces without area lie, and one of these.
+  // Edges that belong to faces without area only, each with one of these faces.
   std::vector<Wire> flat_edges;
   // The number of faces without area that have only such edges.
   std::size_t lonely_faces = 0;
@@ -117,7 +118,7 @@ private:
         const auto [v, w, x] = middle_first(faces[f]);
         middles_[ends(w, x)].push_back(v);
       }
-    for (auto& [edge, middles] : middles_) { // what is added comes later
+    for (auto& [edge, middles] : middles_) { // entries that are added come later in the order
       std::sort(middles.begin(), middles.end(),
                 [this](Index v, Index w) { return points_[v] != points_[w] ? points_[v] < points_[w] : v < w; });
       std::size_t n = 0;
@@ -167,7 +168,7 @@ private:
     return result;
   }
 
-  // Until faces with area are found there.
+  // Considers edges flat until faces with area are found there.
   void add_flat_edges(const std::vector<Ends>& edges, Index face)
   {
     for (const Ends& edge : edges)
@@ -187,8 +188,9 @@ private:
       names_of_triangles.push_back(name);
       return;
     }
-    // A strip: around the first vertex on this side, from its beginning to the third corner; from there to the other
-    // vertices on it; around the last of these, to the end of the side.
+    // A strip of triangles: a fan around the first vertex on this side, from the beginning of the side to the third
+    // corner; a fan around that corner, past the other vertices on the side; and a fan around the last of these, to the
+    // end of the side.
     std::rotate(sides.begin(), first_cut, sides.end());
     const Index a = sides[0][0], c = sides[2][0];
     const std::size_t begin = triangles.size();
@@ -205,7 +207,7 @@ private:
       join(f, f + 1);
   }
 
-  // Where one part meets the next.
+  // Notes the sides where one part meets the next.
   void join(std::size_t f, std::size_t g)
   {
     for (std::size_t i = 0; i < 3; ++i)

@@ -78,8 +78,8 @@ void Incremental_overlay::put_diagonal(Halfedge_index ij)
   const Halfedge_index jk = intrinsic_.next(ij), ki = intrinsic_.prev(ij);
   const Halfedge_index il = intrinsic_.next(ji), lj = intrinsic_.prev(ji);
 
-  // A chord is crossed exactly if it has one end on the right, between l and k by way of j, and the other on the left,
-  // by way of i. Since chords do not meet, crossings have the same order as these ends.
+  // A chord is crossed if and only if one of its ends is on the right, between l and k by way of j, and the other is on
+  // the left, by way of i. Since chords do not meet, crossings have the same order as these ends.
   sides_.resize(halfedges_.size(), Side::NONE);
   note_chords(right_chords_, lj, jk, Side::RIGHT);
   note_chords(left_chords_, ki, il, Side::LEFT);

@@ -34,7 +34,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 //
 // Vertices that were inserted on input edges divide these into paths, which are followed and numbered one by one.
 //
-// Most intrinsic triangles are input triangles. Memory access is what takes time, so they are copied with little of it.
+// Most intrinsic triangles are input triangles. Memory access takes most of the time, so they are copied with as little
+// of it as possible.
 //
 // Several threads work on blocks of edges or faces: first all blocks are counted, and the numbers of a block begin
 // where the count of all earlier ones ends. So the result is the same as with one thread.
@@ -204,7 +205,7 @@ private:
       note_path(input_.edge(in_input), intrinsic_.source(along), intrinsic_.target(along), first, 1);
   }
 
-  // A path of an input edge, in the direction of its halfedge 2e.
+  // Notes a path of an input edge, in the direction of its halfedge 2e.
   void note_path(Edge_index input_edge, Vertex_index from, Vertex_index to, size_type first, size_type count)
   {
     (is_inserted(from) ? inserted(from).onward : overlay_.input_edges[input_edge.idx()]) = {first, count, 0};
@@ -346,7 +347,7 @@ private:
     return overlay_.number_of_original_vertices + before - e.idx();
   }
 
-  // Two consecutive halfedges out of a vertex, counterclockwise: the face between them.
+  // Links two consecutive halfedges out of a vertex, counterclockwise, around the face between them.
   void link(size_type out, size_type next_out) { record(next_out ^ 1).next = out; }
 
   size_type first_part(Halfedge_index h) const
@@ -357,7 +358,7 @@ private:
     return 2 * (overlay_.intrinsic_segments_end(e) - 1) + 1;
   }
 
-  // Of an input halfedge, out of one of its vertices.
+  // The first part of an input halfedge, out of one of its vertices.
   size_type first_part_in_input(Halfedge_index h, Vertex_index v) const
   {
     const Edge_index e = input_.edge(h);
@@ -516,7 +517,7 @@ private:
     });
   }
 
-  // Done at the beginning, because several threads cannot do it later.
+  // With several threads, progress is reported only at the beginning of the part: threads cannot report it later.
   Loop_progress part(double begin, double end, std::size_t number_of_elements) const
   {
     static constexpr const char* what = "the construction of the overlay";
@@ -530,7 +531,7 @@ private:
   struct Inserted
   {
     Overlay_arrays::Input_edge onward; // the path from there
-    size_type back;                    // the path to there, seen from there
+    size_type back;                    // the path that ends there, seen from there
   };
   Inserted& inserted(Vertex_index v) { return inserted_[v.idx() - input_.number_of_vertices()]; }
   const Inserted& inserted(Vertex_index v) const { return inserted_[v.idx() - input_.number_of_vertices()]; }

@@ -46,10 +46,10 @@ public:
 
   std::size_t size() const { return paths_.size(); }
   bool is_closed(std::size_t p) const { return paths_[p].is_closed; }
-  // The first segment of a path: none after a curve was shrunk to a point.
+  // The first segment of a path; `none` after a curve has shrunk to a point.
   Segment_index first(std::size_t p) const { return paths_[p].first; }
   const Segment& operator[](Segment_index s) const { return segments_[s]; }
-  // The next segment; none after the last one, also in a closed path.
+  // The next segment; `none` after the last one, even in a closed path.
   Segment_index following(Segment_index s) const
   {
     const Segment_index next = segments_[s].next;
@@ -95,7 +95,7 @@ private:
                 const std::vector<Halfedge_index>& halfedges);
 
   const Delta_complex& complex_;
-  std::vector<std::uint32_t> number_of_uses_; // of each edge
+  std::vector<std::uint32_t> number_of_uses_; // for each edge
   std::vector<Segment> segments_;             // including earlier ones
   std::vector<Path> paths_;
 };

@@ -134,7 +134,7 @@ private:
     const auto squared = [&](Halfedge_index side) { return flips_.squared_length(complex().edge(side)); };
     Bounded_angle sum;
     for (Estimated_corner& corner : corners_) {
-      if (sum.is_above_pi()) // and more makes no difference
+      if (sum.is_above_pi()) // the rest cannot change that
         break;
       const Halfedge_index h = corner.opposite;
       corner.angle =
