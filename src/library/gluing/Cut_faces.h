@@ -68,7 +68,7 @@ public:
   }
 
   static std::uint64_t key(Node from, Node to) { return (std::uint64_t(from) << 32) | to; }
-  // Of the triangles by their keys: three times the triangle, plus the number of the side.
+  // The sides of the triangles by their keys: three times the triangle plus the number of the side.
   const std::unordered_map<std::uint64_t, std::uint32_t>& sides() const { return sides_; }
   // An edge of a triangle on a path.
   struct Seam_edge
@@ -84,7 +84,7 @@ public:
       return new_points_[v - complex_.number_of_vertices()];
     return {complex_.opposite(complex_.halfedge(Vertex_index(v))), {1, 0, 0}}; // its halfedge may be one of the border
   }
-  // Of a vertex in the face of a halfedge, relative to that.
+  // The coordinates of a vertex in the face of a halfedge, relative to that halfedge.
   Coordinates coordinates(Halfedge_index first, Node v) const
   {
     Coordinates result;
@@ -97,7 +97,7 @@ private:
   {
     for (std::size_t i = 0; i < path.size(); ++i)
       path[i] = checked(path[i], i);
-    // The last of points that are one stays: it lies in a face with the next point.
+    // Of consecutive points that are one, the last stays: it lies in a face with the next point.
     const auto are_one = [this](const Surface_point& p, const Surface_point& q) { return are_near(p, q); };
     path.erase(path.begin(), std::unique(path.rbegin(), path.rend(), are_one).base());
     if (path.size() == 2)

@@ -27,8 +27,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // CGAL's constrained triangulations have another licence than this source.
 //
-// First all points, then the segments: a segment turns the edges that it crosses (S. W. Sloan, "A fast algorithm for
-// generating constrained Delaunay triangulations", 1993). All decisions are exact.
+// All points are inserted first, then the segments: a segment turns the edges that it crosses (S. W. Sloan, "A fast
+// algorithm for generating constrained Delaunay triangulations", 1993). All decisions are exact.
 class Divided_face
 {
 public:
@@ -45,7 +45,7 @@ public:
     add(corners[0], corners[1], corners[2]);
   }
 
-  // Another point than those before.
+  // Inserts a point at a place of its own.
   void insert(Node v, const Coordinates& place)
   {
     places_[v] = place;
@@ -70,7 +70,7 @@ public:
       add(t[i], t[(i + 1) % 3], v);
   }
 
-  // Makes it a sequence of edges, which end at the points on it.
+  // Makes the segment a sequence of edges that end at the points on it.
   // \return an edge of another segment that it crosses, if there is one
   template <class Visit>
   std::optional<Edge> insert_segment(Node from, Node to, const Visit& visit)
@@ -142,7 +142,7 @@ private:
     return Kernel().orientation_3_object()(vector(a), vector(b), vector(c));
   }
 
-  // Of a triangle, the same number from whichever corner it is seen.
+  // The area of a triangle, the same number whichever corner comes first.
   double area(Node a, Node b, Node c) const
   {
     while (a > b || a > c)
@@ -207,7 +207,7 @@ private:
     return start;
   }
 
-  // Until they no longer cross the segment.
+  // Turns edges until they no longer cross the segment.
   void turn_away(Node from, Node to, std::deque<Edge> crossed)
   {
     while (!crossed.empty()) {
@@ -224,7 +224,7 @@ private:
     }
   }
 
-  // A quadrilateral, given counterclockwise, at its second and fourth corner.
+  // Whether a quadrilateral, given counterclockwise, is convex at its second and fourth corner.
   bool is_convex(Node a, Node d, Node b, Node c) const
   {
     return turn(d, b, c) == COUNTERCLOCKWISE && turn(c, a, d) == COUNTERCLOCKWISE;
@@ -242,7 +242,7 @@ private:
   }
 
   std::map<Node, Coordinates> places_;
-  std::map<Node, Node> neighbors_; // of each node the end of a side that begins there
+  std::map<Node, Node> neighbors_; // for each node, the end of a side that begins there
   std::map<Edge, Node> apexes_;    // the third corner of the triangle to the left of a side
   std::set<Edge> fixed_;
   Edge last_; // a side

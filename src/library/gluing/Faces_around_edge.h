@@ -26,14 +26,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // meets them. The cyclic order is decided exactly. It does not depend on numbering, on the orientation of faces, or on
 // rotations in space, as far as possible:
 //
-// - Faces in one half-plane are ordered by where along the edge their third vertices lie, from u to v. If
-//   that is the same place, then by the distance of the third vertex from the edge, the nearer first if the place is
-//   beyond the middle. Exchanging u and v reverses all of this, so the cyclic order is the same for both directions.
+// - Faces in one half-plane are ordered by where along the edge their third vertices lie, from u to v; at the same
+//   place, by the distance of the third vertex from the edge, the nearer first if the place is beyond the middle.
+//   Exchanging u and v reverses all of this, so the cyclic order is the same for both directions.
 // - Faces with the same corners lie on top of each other like sheets of paper, in the order of their numbers.
 // - A face without area lies in the half-plane of the face whose third vertex is farthest from the edge.
-// - Numbers decide in what remains: isosceles triangles over the same edge in one half-plane, third vertices at the
-// same place,
-//   and several farthest faces. There a rotation in space exchanges the ends of the edge.
+// - Numbers break the remaining ties: isosceles triangles over the same edge in one half-plane, third vertices at the
+//   same place, and several farthest faces. There a rotation in space exchanges the ends of the edge.
 class Faces_around_edge
 {
 public:

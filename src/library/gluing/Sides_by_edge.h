@@ -85,7 +85,7 @@ private:
 
   static void sort_bucket(Side* begin, Side* end)
   {
-    constexpr std::ptrdiff_t few = 24; // for which a sort by insertion is quicker
+    constexpr std::ptrdiff_t few = 24; // for so few, insertion sort is faster
     if (end - begin > few)
       return std::sort(begin, end, precedes);
     for (Side* i = begin; i < end; ++i) {

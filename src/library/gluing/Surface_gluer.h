@@ -38,23 +38,23 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // - The two sides of an edge with two faces become one, unless a one-sided surface has to be cut there.
 // - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies
 //   between a face that runs backward and the next one that runs forward, as in a solid whose faces point outward.
-//   Such faces are glued, and what they enclose is left out; then the next ones, until none is left. So each pair
-//   bounds a set where the winding number has some least value, and a solid that touches itself comes apart along the
-//   edge. Of several that could be glued where solids overlap, faces of the same piece are.
+//   Such faces are glued, and whatever lies between them is left out; then the next ones are, until none remain. So
+//   each pair bounds a set where the winding number is at least some value, and a solid that touches itself comes apart
+//   along the edge. Where solids overlap and several faces could be glued, faces of the same piece are.
 // - If the solid is inside out, which its volume tells, material is on the other sides. Solids that only touch may
 //   differ in this.
-// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an
-//   edge is odd, as of three sheets, only faces are that belong to the same piece, or to pieces that were glued
-//   elsewhere: else they would be left as a slit in the surface.
-// - If so many faces run forward at an edge as backward, and both sides of a wall do not run alike, nothing is turned
-//   there. If not, pieces are turned so that
-//   directions alternate around each edge with an even number of faces, as they do around each solid.
+// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge
+//   is odd, as for three sheets, only faces of the same piece, or of pieces that are glued elsewhere, are glued to each
+//   other: the others would leave a slit in the surface.
+// - If as many faces run forward at an edge as backward, and the two sides of a wall do not run alike, nothing is
+//   turned there. Otherwise pieces are turned so that directions alternate around each edge with an even number of
+//   faces, as they do around each solid.
 // - Faces in one half-plane have nothing between them. So where material ends comes first, and two such faces, as of a
-//   wall between two rooms, have opposite directions. Of three and more, and of faces without area, nothing is known:
-//   no piece is turned because of them.
+//   wall between two rooms, have opposite directions. Three or more such faces, and faces without area, say nothing: no
+//   piece is turned because of them.
 // - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would,
-//   the faces that have nothing between them are glued instead: then the solid is one along the edge. If that fails as
-//   well, all are cut. That is tried as well where both sides of a wall were glued to each other.
+//   the faces that have nothing between them are glued instead, so that the solid is connected along the edge. If that
+//   fails, too, all are cut. The same is tried where the two sides of a wall were glued to each other.
 class Surface_gluer
 {
   using Index = std::uint32_t;
@@ -86,8 +86,8 @@ public:
     separate_edges();
   }
 
-  // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first of each part that edges join is
-  // not.
+  // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first triangle of each part connected by
+  // edges is not.
   bool is_turned(std::size_t face) const { return is_turned_[face]; }
   // The vertices of the surface: first the given ones, then copies; for each, the original.
   const std::vector<Index>& vertices() const { return fans_.first; }
@@ -110,7 +110,7 @@ private:
     VOID,
     CUT
   };
-  // The entries of an edge, in order around it.
+  // The entries of an edge, in their order around it.
   struct Crowded_edge
   {
     std::vector<Entry> entries;
@@ -291,8 +291,8 @@ private:
         return a->half_plane < b->half_plane;
       return runs_backward(*a) == is_material_forward && runs_backward(*b) != is_material_forward;
     });
-    // Starts of material that has not ended: all, and those of each piece. Goes around the edge twice, because it may
-    // begin in material.
+    // Where material began that has not ended: for all pieces, and for each one. Goes around the edge twice, because it
+    // may begin in material.
     Entries begun;
     std::map<Index, Entries> begun_of_piece;
     for (const bool is_second_time : {false, true})
