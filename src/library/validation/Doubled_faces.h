@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // - A part joined by edges may occur several times as a whole; then each of its faces counts correspondingly less.
 // - Two such faces that alone meet at an edge decide together: so a wall or fin of many faces is kept or dropped as
 //   one, and a face given too often next to a wall differs from it.
-// - If edges leave it open, a face follows the faces that meet it at edges of walls alone, as between many rooms.
+// - If edges do not tell, a face follows the faces that meet it at edges of walls only, as between many rooms.
 class Doubled_faces
 {
   using Index = std::uint32_t;
@@ -53,7 +53,7 @@ public:
   bool is_kept(std::size_t face) const { return is_kept_[face]; }
 
 private:
-  // The doubled classes at an edge that has three or more, and whether the number of other faces is odd.
+  // The doubled classes at an edge with three or more of them, and whether the number of other faces is odd.
   struct Edge
   {
     std::vector<Index> classes;
@@ -66,7 +66,7 @@ private:
     return t;
   }
 
-  // A class has the same corners.
+  // The faces of a class have the same corners.
   void find_classes()
   {
     std::vector<std::pair<Index_triangle, Index>> all;
@@ -120,7 +120,7 @@ private:
       vote(c, is_wall);
   }
 
-  // Class c is node 2c; classes that are kept twice exactly if it is not are joined with node 2c + 1.
+  // Class c is node 2c. Node 2c + 1 is joined with the classes that are kept twice if and only if class c is not.
   void tie(Index c, Index d, bool do_differ)
   {
     if (groups_.find(2 * c) == groups_.find(2 * d + !do_differ))

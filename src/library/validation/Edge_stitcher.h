@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// As Hanging_vertices asks for them; sides are numbered three for each triangle.
+// The edges in the form that Hanging_vertices requires; side 3t + i belongs to triangle t.
 class Edges_of_triangles
 {
   using Index = std::uint32_t;
@@ -118,7 +118,7 @@ public:
 
   // The input faces with an edge that was split.
   const Element_collector& faces() const { return faces_; }
-  // Of the first of them: the ends of the edge, and the vertex.
+  // For the first of them: the ends of the edge, and the vertex.
   const std::array<Index, 3>& first_edge() const { return first_; }
   bool is_part_of_border(Index v, Index w) const { return border_sides_.count({v, w}) != 0; }
   // \pre v < w, here and above

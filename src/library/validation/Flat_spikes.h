@@ -106,7 +106,8 @@ private:
     drop_pairs();
   }
 
-  // Across the longest sides of two faces that meet there, unless faces with an area would come to have the same corners.
+  // Merges vertices across the common longest side of two faces, unless faces with area would come to have the same
+  // corners.
   bool merge_coincident()
   {
     std::map<std::pair<Index, Index>, Index> middle; // of longest sides
@@ -184,7 +185,7 @@ private:
             it->second = w;
         }
       }
-    // Of two tips that are neighbors, one at a time.
+    // Two neighboring tips are removed one at a time.
     std::map<Index, Index> to;
     for (const auto& [v, w] : nearest)
       if (is_tip[v] == 1 && (is_tip[w] == 0 || (w > v && nearest[w] == v))) {

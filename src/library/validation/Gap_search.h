@@ -26,7 +26,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Two vertices are close if their distance is at most this part of the edges there.
+// Two vertices are close if their distance is at most this fraction of the edges there.
 constexpr double closeness = 0x1p-30;
 inline double close_distance(double length) { return std::isfinite(length) ? closeness * length : 0; }
 
@@ -67,7 +67,7 @@ public:
              short_text(p[0]) + ", " + short_text(p[1]) + ", " + short_text(p[2]) + ") are only " +
              short_text(gap.distance) + " apart, beside an edge " + short_text(gap.length) + " long";
     });
-    // One digit is enough.
+    // Rounds up to one digit, which is enough.
     if (const double needed = report_.stitching_tolerance * (1 + 0x1p-40); needed > 0) {
       const double power = std::pow(10, std::floor(std::log10(needed)));
       for (const double digit : {1, 2, 5, 10})

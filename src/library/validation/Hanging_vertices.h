@@ -20,8 +20,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A vertex hangs if it lies within an edge without being a corner of the faces there, and an edge ends with it: a border
-// edge, or one from a vertex where sheets meet that are no neighbors. (A sheet consists of faces joined by edges with
+// A vertex hangs if it lies within an edge without being a corner of the faces there, and an edge ends at it: a border
+// edge, or one from a vertex where sheets meet that are not neighbors. (A sheet consists of faces joined by edges with
 // two faces.) Within an edge of two or more faces, only vertices of other sheets hang. Solids that touch elsewhere do
 // not meet.
 //

@@ -26,7 +26,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Edges that gluing made border edges: they had several faces in the input, or lay inside one. Pieces of zero area that
-// this cuts off are not worth a word, unless there is nothing else.
+// this cuts off are not reported unless there is nothing else.
 class Opened_edges
 {
   using Index = std::size_t;
@@ -37,7 +37,7 @@ public:
     : points_(points), triangles_(triangles), gluer_(gluer)
   {}
 
-  // Border edges that had several faces in the input, or lay inside one.
+  // Finds the border edges that had several faces in the input, or lay inside one.
   // \param representative of each vertex of the input, the one whose place it took
   // \param stitcher null if nothing was stitched
   void find(const std::vector<std::vector<Index>>& input, const std::vector<Index>& representative,
@@ -94,7 +94,7 @@ public:
 
   // The input faces with such an edge.
   const Element_collector& faces() const { return faces_; }
-  // Of the first of them: the ends of the edge, and how many faces it had.
+  // For the first of them: the ends of the edge, and how many faces it had.
   const std::array<Index, 3>& first_edge() const { return first_; }
   // The triangles of pieces without area.
   const std::set<Index>& cut_off() const { return cut_off_; }

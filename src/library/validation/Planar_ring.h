@@ -111,7 +111,7 @@ private:
   using Vertex_handle = Triangulation::Vertex_handle;
   using Face_handle = Triangulation::Face_handle;
 
-  // From corner to corner, through places.
+  // A side of the ring, from corner to corner, and the places that it passes.
   struct Side
   {
     Index source, target;
@@ -319,7 +319,7 @@ private:
       if (is_found)
         return {side.source, side.target};
     }
-    return {}; // not reached: each edge that is crossed is a piece of a side, or part of one that passes its ends
+    return {}; // unreachable: each crossed edge is a piece of a side, or part of one that passes its ends
   }
 
   // Computes how often the ring winds around each face. Returns false if it winds twice around one.
@@ -357,7 +357,7 @@ private:
     return is_once;
   }
 
-  // For an edge in the direction that has the face on its left.
+  // The ends of side i of a face, with the face to its left.
   static Vertex_handle source(Face_handle f, int i) { return f->vertex(Triangulation::ccw(i)); }
   static Vertex_handle target(Face_handle f, int i) { return f->vertex(Triangulation::cw(i)); }
 
@@ -438,7 +438,7 @@ private:
     return !from.empty() ? from[0] : !to.empty() ? to[0] : first_corner_[place];
   }
 
-  // For each side that passes through places, unless another side returns the same way.
+  // Adds flat triangles for each side that passes through places, unless another side returns the same way.
   void add_flat_triangles()
   {
     std::map<Pair, std::vector<const Side*>> alone; // by the places of their ends

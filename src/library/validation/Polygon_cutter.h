@@ -105,7 +105,7 @@ private:
   Planar_ring::Status cut_along(Vector normal)
   {
     normal = normal / length(normal);
-    // Along a coordinate nothing is rounded.
+    // A projection along a coordinate axis rounds nothing.
     std::size_t axis = 0;
     for (const int i : {1, 2})
       axis = std::abs(normal[i]) < std::abs(normal[int(axis)]) ? std::size_t(i) : axis;
@@ -138,7 +138,7 @@ private:
     return status;
   }
 
-  // Unless the sides cross in the plane only, and miss each other in space by more than a gap.
+  // Notes that two sides cross, unless they cross in the plane only and miss each other in space by more than a gap.
   void note_crossing(const std::array<std::array<std::size_t, 2>, 2>& sides,
                      const std::vector<Planar_ring::Point>& ring, const std::vector<double>& heights, double gap)
   {
@@ -187,7 +187,7 @@ private:
 
   void cut_loop(const std::vector<std::size_t>& corners, bool is_flat)
   {
-    // Memory is quadratic and time is cubic: half a minute with a thousand corners.
+    // Takes quadratic memory and cubic time: half a minute for a thousand corners.
     std::vector<Triple<int, int, int>> triples;
     if (!is_flat && corners.size() <= 200) {
       std::vector<Kernel::Point_3> points;

@@ -23,7 +23,7 @@ struct Polygon_part
   std::vector<std::size_t> corners;
 };
 
-// Of parts that are triangles.
+// The corners of parts that are triangles.
 inline std::vector<Index_triangle> index_triangles(const std::vector<Polygon_part>& triangles)
 {
   std::vector<Index_triangle> result;

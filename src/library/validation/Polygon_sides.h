@@ -106,7 +106,7 @@ public:
   std::size_t number_of_vertices() const { return number_of_vertices_; }
   bool is_used(const std::size_t vertex) const { return is_used_[vertex] != 0; }
   const Element_collector& faces_with_bad_index() const { return bad_faces_; }
-  // Of the first of these faces.
+  // The first bad index in the first of these faces.
   std::size_t first_bad_index() const { return first_bad_index_; }
   std::size_t number_of_faces() const { return number_of_faces_; }
   std::size_t number_of_corners() const { return corners_.size(); }

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Finds which vertices a repair makes one.
+// Finds which vertices a repair merges.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTEX_MERGER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTEX_MERGER_H
@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Merges vertices at the same position where an edge joins them and along the border, which closes seams; with a
-// tolerance, also those that are not farther from each other.
+// tolerance, also vertices that are no farther apart than that.
 class Vertex_merger
 {
   using Index = std::size_t;
@@ -36,8 +36,8 @@ public:
     : points_(points), tolerance_(tolerance)
   {}
 
-  // The vertex that takes the place of each vertex, or none if no polygon has it.
-  // Inner vertices are no candidates: sheets that lie on each other would be glued together.
+  // The vertex that takes the place of each vertex, or `none` if no polygon has it. Inner vertices are not candidates:
+  // otherwise sheets that lie on each other would be glued together.
   std::vector<Index> representatives(const std::vector<std::vector<Index>>& polygons,
                                      const Progress_function& progress) const
   {

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Finds vertices within edges or close to other vertices: gaps in a surface that are too narrow to be seen.
+// Finds vertices within edges or close to other vertices: gaps in a surface that are too narrow to see.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
@@ -119,8 +119,8 @@ private:
     nodes_[node].behind = Index(nodes_.size());
   }
 
-  // The cells of a grid of cubes over all vertices: they tell at once that most segments are far from all. In each
-  // coordinate their order is that of the numbers, however those are rounded.
+  // The cells of a grid of cubes over all vertices: they show at once that most segments are far from all vertices. In
+  // each coordinate their order is that of the numbers, however those are rounded.
   static constexpr int cells = 32; // along each axis
   int cell(double x, std::size_t axis) const
   {
@@ -177,7 +177,7 @@ private:
     return true;
   }
 
-  // Calls visit(vertex) for all vertices that may be that near to the segment, and some others.
+  // Calls visit(vertex) for all vertices that may be this near to the segment, and for some others.
   template <class Function>
   void for_each_near(const Place& p, const Place& q, double tolerance, const Function& visit) const
   {

@@ -31,7 +31,7 @@ std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p)
   return std::size_t(shortest - lengths.begin());
 }
 
-// Each end of a border edge begins another one.
+// Each border edge begins where another one ends.
 inline std::vector<std::uint32_t> even_numbers_below(std::size_t n)
 {
   std::vector<std::uint32_t> result;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The steps of a repair, and the thread from each element back to the input.
+// The steps of a repair, which keep track of where each element comes from in the input.
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include "../gluing/Surface_gluer.h"
@@ -147,11 +147,11 @@ private:
     report_progress(progress, fraction, "the repair");
   }
 
-  // Of corners that follow each other. A polygon with fewer than three different ones goes.
+  // Removes consecutive equal corners, and polygons with fewer than three different corners.
   void remove_repeated_corners()
   {
     std::vector<Polygon_part> polygons;
-    std::vector<Index> last_polygon(input_points_.size(), none); // with each vertex
+    std::vector<Index> last_polygon(input_points_.size(), none); // at each vertex
     is_kept_.assign(input_polygons_.size(), false);
     for (Polygon_part& polygon : polygons_) {
       std::vector<Index>& corners = polygon.corners;
@@ -175,7 +175,7 @@ private:
     return result;
   }
 
-  // The triangles that stay; a face may have lost a part.
+  // Drops the other triangles; a face may lose a part.
   void keep(const std::vector<bool>& is_kept)
   {
     const std::vector<Index> before = number_of_parts();
@@ -190,7 +190,7 @@ private:
         has_lost_part_[f] = true;
   }
 
-  // Of triangles with the same corners, in either direction, the first stays, and another if both are a wall.
+  // Keeps only the first of several triangles with the same corners, in either direction, or two if they are a wall.
   void remove_duplicates()
   {
     const std::vector<Index_triangle> all = index_triangles(polygons_);
@@ -273,7 +273,7 @@ private:
     polygons_ = std::move(left);
   }
 
-  // Turns triangles, and copies vertices for the fans that are left.
+  // Turns triangles, and copies vertices that still have several fans.
   void glue(const Progress_function& progress)
   {
     const Points points(input_points_.begin(), input_points_.end());
@@ -297,8 +297,8 @@ private:
     remove_sheets(gluer, opened.cut_off());
   }
 
-  // Two triangles that are glued to each other alone enclose nothing, and have the same corners. Nothing is lost with
-  // pieces of zero area that were cut off.
+  // Two triangles that are glued only to each other have the same corners and enclose nothing. Pieces of zero area that
+  // were cut off are no loss.
   void remove_sheets(const Surface_gluer& gluer, const std::set<Index>& cut_off)
   {
     std::vector<bool> is_kept;
@@ -319,14 +319,14 @@ private:
       is_kept_[polygon.input] = true;
   }
 
-  // The vertices that are left, and for each the first vertex of the input that has become it.
+  // Collects the remaining vertices, each with the first vertex of the input that has become it.
   void collect(const Progress_function& progress)
   {
     std::vector<Index> input(copied_from_.size(), none);
     for_each_corner([&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
     for (const Polygon_part& triangle : polygons_)
       for (Index v : triangle.corners)
-        if (input[v] == none) // all its faces had other corners before
+        if (input[v] == none) // so far, all of its faces had other corners
           input[v] = copied_from_[v];
     std::vector<Index> number(input.size(), none);
     for (Index v = 0; v < input.size(); ++v)
@@ -353,7 +353,7 @@ private:
     });
   }
 
-  // Of triangles that share vertices, which the function gives.
+  // Counts components of triangles that share vertices; `vertex` maps corners to these.
   template <class Vertex>
   Index number_of_components(const Vertex& vertex) const
   {
@@ -488,7 +488,7 @@ private:
   std::vector<std::uint32_t> copied_from_;  // of each vertex after the gluing, the one of the input
   std::vector<Index> merged_with_;          // of each input vertex, the one whose place it took, or none
   std::vector<bool> is_kept_, is_reversed_; // of each input face
-  std::vector<bool> is_repeated_;           // of each input face, whether one before it has the same corners in order
+  std::vector<bool> is_repeated_;           // of each input face, whether an earlier one has the same corners in order
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
   Element_collector fans_, opened_;

@@ -63,7 +63,7 @@ public:
     : points_(std::move(polygons.points)), polygons_(std::move(polygons))
   {}
 
-  // What no repair can change: numbers and coordinates.
+  // Examines what no repair can change: numbers and coordinates.
   Surface_report examine_data()
   {
     report_.number_of_vertices = number_of_vertices_;
@@ -181,7 +181,7 @@ private:
     });
   }
 
-  // Coordinates that the constructors refuse to scale.
+  // Finds coordinates that the constructors refuse to scale.
   void examine_scaled_coordinates()
   {
     exponent_ = unit_exponent<double>(box_.half_extent());
@@ -364,7 +364,7 @@ private:
     if (all_finite_)
       lengths_ = lengths;
   }
-  // Among the faces at the edges of a bucket that have more than two.
+  // Searches the faces at those edges of a bucket that have more than two faces.
   void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end, const std::vector<Edge_mark>& marks,
                                  std::vector<std::array<Index, 3>>& faces, Element_collector& duplicates) const
   {
@@ -396,7 +396,7 @@ private:
     return f;
   }
   // Can the faces be turned to agree? Each face has two nodes, itself and
-  // itself turned; a one-sided surface connects them. Only when edges disagree.
+  // itself turned; a one-sided surface connects them. Called only if edges disagree.
   bool is_orientable(std::vector<Edge_mark>& marks) const
   {
     const Index f = static_cast<Index>(report_.number_of_faces);
