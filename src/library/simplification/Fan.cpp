@@ -60,7 +60,8 @@ Flat_corner corner(const Fan& fan, const Fan_array<double>& factors, std::size_t
   return {factors[j] * fan.spokes[j], factors[k] * fan.spokes[k], fan.link[j]};
 }
 
-// Newton's method for the t for which the fan is flat when each spoke becomes longer by 1 + t w, with its direction w.
+// Newton's method for the t for which the fan is flat when each spoke is lengthened by the factor 1 + t w, with its
+// direction w.
 bool flatten_along(const Fan& fan, const Fan_array<double>& w, double largest, Fan_array<double>& factors)
 {
   const Fan_array<double> first = factors;
@@ -87,7 +88,7 @@ bool flatten_along(const Fan& fan, const Fan_array<double>& w, double largest, F
       if (!(factors[j] <= largest * largest && factors[j] * largest * largest >= 1))
         return false;
     }
-    if (std::abs(step) < 1e-5) // the next one would be its square
+    if (std::abs(step) < 1e-5) // the next step would be its square
       return true;
   }
   return false;
@@ -95,8 +96,8 @@ bool flatten_along(const Fan& fan, const Fan_array<double>& w, double largest, F
 
 // The directions that strain the faces least. With w for the logarithms of the spokes, the squared eigenvalues of M, summed
 // over the faces with a weight for each, are a quadratic form A, and g·w is the change of the angle at the vertex. So
-// A w = g; a step towards that from equal directions comes close enough. A face weighs more if less is left of the change
-// that it may have.
+// A w = g; a step towards that from equal directions comes close enough. A face has a larger weight if less of the
+// change that it may have is left.
 Fan_array<double> gentle_directions(const Fan& fan, double largest)
 {
   const std::size_t n = fan.size();
@@ -253,7 +254,7 @@ private:
   }
 
   // Smallest for the triangle that is Delaunay without the vertex, which lies at the origin: O. Devillers, "On deletion
-  // in Delaunay triangulations" (1999). Infinite if the point is no ear, or the vertex would be behind it.
+  // in Delaunay triangulations" (1999). Infinite if the point is not an ear, or the vertex would lie behind it.
   double value_of(std::uint32_t tip) const
   {
     constexpr double none = std::numeric_limits<double>::infinity();

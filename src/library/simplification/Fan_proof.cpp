@@ -41,7 +41,7 @@ Squared_change product(const Squared_change& a, const Interval& down, const Inte
   return {(Interval(a.down) * Interval(down.inf())).inf(), (Interval(a.up) * Interval(up.sup())).sup()};
 }
 
-// Not if one is NaN.
+// False if a factor is NaN.
 bool is_within(const Squared_change& change, double limit)
 {
   return change.up <= limit && (Interval(change.down) * Interval(limit)).inf() >= 1;
@@ -131,7 +131,7 @@ public:
           return false;
       return true;
     }
-    // The number of times that they cross a ray whose direction is not that of an edge of a grid.
+    // How often they cross a ray whose direction is not that of any edge of a grid.
     int crossings = 0;
     const auto side = [this](std::size_t j) {
       const Interval y = points_[j].x() * Interval(0.8312475) + points_[j].y() * Interval(0.5558923);
@@ -164,7 +164,8 @@ public:
     return true;
   }
 
-  // A triangle has behind it what those have that it lies in: the two at its tip, as long as the place is not behind it.
+  // Behind a triangle lies what lies behind the triangles that contain it: the two at its tip, as long as the place is
+  // not behind it.
   void share(Fan_array<Squared_change>& result)
   {
     bool is_shared_by_all = false;

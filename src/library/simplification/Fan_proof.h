@@ -15,7 +15,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// All functions round upward for the time of the call.
+// All functions round upward during the call.
 
 // The change by replacing a triangle whose sides are within one unit in the last place of these doubles by one with these
 // sides, or by the reverse. Infinite if nothing is known.
@@ -28,7 +28,7 @@ Squared_change product(const Squared_change& a, const Squared_change& b);
 //
 // The proof is about triangles with exactly the given lengths.
 // \param changes for each triangle
-// \return whether that is proven, and no squared change exceeds `limit`
+// \return whether this is proven and no squared change exceeds `limit`
 bool prove_removal(const Fan& fan, const Fan_triangulation& triangulation, double limit,
                    Fan_array<Squared_change>& changes);
 

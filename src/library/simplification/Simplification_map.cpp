@@ -41,7 +41,7 @@ struct Simplification_map::Layout
         points[corners[1]] = {sides[0], 0};
         is_placed[corners[0]] = is_placed[corners[1]] = true;
       }
-      while (is_placed[corners[2]]) { // turned until the new point is the third corner
+      while (is_placed[corners[2]]) { // turn until the new point is the third corner
         std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         std::rotate(sides.begin(), sides.begin() + 1, sides.end());
       }
@@ -61,7 +61,7 @@ struct Simplification_map::Layout
       result = result + points[t.corners[i]] * Planar_vector<double>(b[i], 0);
     return result;
   }
-  // Some are negative outside of the triangle.
+  // Outside of the triangle, some are negative.
   Coordinates coordinates(const Triangle& t, const Planar_vector<double>& p) const
   {
     const Planar_vector<double> a = points[t.corners[0]] - p, b = points[t.corners[1]] - p,
@@ -250,7 +250,7 @@ private:
 
 } // namespace
 
-// Through the steps in order, or back.
+// Goes through the steps in order, or backward.
 template <class F>
 void Simplification_map::for_each_step(bool is_forward, const F& f) const
 {

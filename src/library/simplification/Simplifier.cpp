@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::uint32_t no_vertex = std::uint32_t(-1);
 
-// Rounding takes up to this part.
+// Rounding changes lengths by up to this fraction.
 constexpr double least_change = 1e-12;
 constexpr double largest_change = 1e100; // its square is finite
 // The triangulation of a hole takes quadratic time.
@@ -159,7 +159,7 @@ private:
     }
   };
 
-  // Under its number at first.
+  // Enters a vertex under its original number.
   void enqueue(std::uint32_t vertex)
   {
     ++stamps_[vertex];
@@ -173,7 +173,7 @@ private:
       {float(change - 1 < 1e-9 ? 0 : change - 1), float(size / double(star_.spokes.size())), vertex, stamps_[vertex]});
   }
 
-  // Lays the faces around a vertex flat, and returns the squared change after that.
+  // Lays the faces around a vertex flat, and finds the squared change that results.
   Obstacle examine(Vertex_index v, double& change)
   {
     const Obstacle obstacle = find_star(v);
@@ -211,7 +211,7 @@ private:
     const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
     for (Halfedge_index h = first;;) {
       if (complex_.target(h) == v || star_.spokes.size() == largest_degree)
-        return Obstacle::GLUING; // at once: a vertex of high degree is asked again after each removal beside it
+        return Obstacle::GLUING; // early: a vertex of high degree is examined after each removal beside it
       if (!complex_.is_border(h) && faces_[complex_.face(h).idx()].is_thin)
         obstacle = Obstacle::BOUND;
       if (is_constrained_[complex_.edge(h).idx()] && !complex_.is_border(complex_.edge(h)) && ++number_of_lines <= 2)
@@ -453,7 +453,7 @@ private:
   Delta_complex complex_;
   std::vector<double> lengths_; // times a power of two
   std::vector<bool> is_constrained_;
-  double largest_factor_, limit_; // the latter of squared changes
+  double largest_factor_, limit_; // the latter for squared changes
   int exponent_ = 0;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> original_, current_; // the numbers of vertices at first and now

@@ -22,9 +22,9 @@ struct Simplification
   std::vector<bool> is_constrained;
   std::vector<Vertex_index> kept;
   std::vector<Metric_change> changes; // of the faces
-  // The faces that doubles cannot describe, with their descriptors before. They are unchanged if their sides are: the
-  // lengths of these are only within one unit in the last place of the right ones, and changes of the faces beside them
-  // allow for that.
+  // The faces that doubles cannot describe, with their earlier descriptors. Such a face is unchanged if its sides are:
+  // their lengths here are only within one unit in the last place of the right ones, and the changes of the faces
+  // beside them allow for that.
   std::vector<std::pair<Face_index, Face_index>> thin_faces;
   Kept_vertices reasons;
   Simplification_map map;

@@ -47,7 +47,7 @@ public:
            !correspondence_.is_inserted(complex_.target(h));
   }
 
-  // Exactly if `is_rational(e)`, otherwise up to a relative error below 2^-bits.
+  // The exact squared length if `is_rational(e)`, otherwise one with a relative error below 2^-bits.
   Rational operator()(Edge_index e, long bits) const
   {
     Rational result;
@@ -122,7 +122,7 @@ Triangulation with_thin_faces(const Exact_engine& engine, Simplification& s)
   return Triangulation::from_metric(coarse, metric_from_squared_lengths(std::move(squares)));
 }
 
-// Of all components, each given by the face with the smallest number.
+// The changes of all components, each given by the face with the smallest number.
 std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Delta_complex& complex,
                                                                        const std::vector<Metric_change>& changes)
 {
