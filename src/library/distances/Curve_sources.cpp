@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  // Of a curve, from one of its points to the next one.
+  // A segment of a curve, from one of its points to the next.
   struct Segment
   {
     Surface_point start, end; // in the same face of the input
@@ -194,7 +194,7 @@ private:
             c[0] * corners[0][1] + c[1] * corners[1][1] + c[2] * corners[2][1]};
   }
 
-  // In the unit of the input.
+  // The distance of two points, in the unit of the input.
   double length(const Surface_point& p, const Surface_point& q) const
   {
     const auto& points = engine_.metric().points();
@@ -229,8 +229,8 @@ private:
       result.pieces.clear();
     }
     const Surface_direction onward = direction(start, end.coordinates);
-    // Up to the end of the first face, because the direction of a short piece would be rounded; if that is near, the
-    // longest piece tells it.
+    // Goes to the end of the first face, because the direction of a short piece would be rounded; if that end is near,
+    // the longest piece gives the direction.
     const double whole = length(start, end), long_way = std::ldexp(1, 30) * whole;
     const std::vector<Surface_point> into = trace_in_triangulation(engine_, onward, long_way, 1).points;
     result.located = into.front();
@@ -291,7 +291,7 @@ private:
     return result;
   }
 
-  // From the piece before a point on a side to the one behind it, as each sees its own face.
+  // The turn from the piece before a point on a side to the piece after it, each in its own face.
   double turn(const std::vector<Face_source>& pieces, const std::vector<Surface_point>& points, std::size_t i) const
   {
     const Halfedge_index on = side_of(complex_, points[i]);
@@ -364,14 +364,14 @@ private:
     }
     if (const Halfedge_index kept = kept_side(p.halfedge); kept.is_valid())
       return add_place({kept, p.coordinates}, {});
-    // Traced nowhere, toward a corner.
+    // Traces a line of length 0 toward a corner, which locates the point.
     Coordinates corner{0, 0, 0};
     corner[largest(p.coordinates)] = 1;
     add_place(trace_in_triangulation(engine_, direction(p, corner), 0, 1).points.front(), {});
   }
 
-  // Ways from a point that is no vertex, or from an inserted one. As near to a side as rounding is, it lies on the side:
-  // the directions in which ways leave through there would be lost.
+  // Adds ways from a point that is not a vertex, or is an inserted one. A point as near to a side as rounding errors
+  // counts as on it: otherwise the directions of ways that leave through that side would be lost.
   void add_place(Surface_point located, const std::vector<Vector>& limits)
   {
     for (double& x : located.coordinates)
@@ -457,7 +457,7 @@ private:
     return plane::angle_between(onward, direction);
   }
 
-  // Of a side of the face of h in the plane that corners(h) gives.
+  // The angle of a side of the face of h, in the plane of corners(h).
   double angle_of_side(Halfedge_index h, Halfedge_index side) const
   {
     const std::array<Vector, 3> c = corners(h);

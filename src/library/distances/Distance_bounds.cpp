@@ -62,8 +62,8 @@ void Distance_bounds::apply(std::vector<double>& distances, const std::map<std::
       queue.push({paths[neighbor], neighbor});
     }
   };
-  // First in the order of the distances, which finds nearly all paths at once. Rows that get a shorter path after
-  // their turn follow by Dijkstra's algorithm.
+  // The first pass, in the order of the distances, finds nearly all paths. Rows that get a shorter path after their
+  // turn follow by Dijkstra's algorithm.
   const std::vector<std::uint32_t> order = rows_by_distance(distances);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Within the faces of the sources, in the unit of the faces.
+// Distances within the faces of the sources, in the unit of the faces.
 Distances_near_sources known_distances(const Laid_out_faces& faces, const Window_sources& sources)
 {
   Distances_near_sources result;

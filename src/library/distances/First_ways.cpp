@@ -24,7 +24,7 @@ struct Part_of_line
 {
   double begin, end;
 
-  // Keeps where at_zero + slope b is not negative.
+  // Keeps the part where at_zero + slope b is not negative.
   void clip(double at_zero, double slope)
   {
     if (slope > 0)
@@ -81,7 +81,7 @@ private:
     Window w{0, length, plane::dot(from_end, along), plane::cross(from_end, along), source_.offset, 0};
     w.source = source_.number;
     if (is_on_side) {
-      // The window goes into the other faces in all directions. A joint of segments is also one of the other face.
+      // The window goes into the other faces in all directions. A joint of segments is also a source of the other face.
       if (!source_.limits.empty() && faces_.beside(side) == Laid_out_faces::none)
         return;
       w.y = 0;

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 struct First_ways
 {
-  // To the vertex where a side begins, from an angle to the left of the side.
+  // A way to the vertex where a side begins, from an angle to the left of the side.
   struct To_corner
   {
     std::uint32_t side;

@@ -55,7 +55,7 @@ Triple coordinates_on_sides(const std::array<Triple, 3>& corners, const Triple& 
   return result;
 }
 
-// Of a triangle that was cut: its first side, and its corners in barycentric coordinates of the triangle.
+// A part of a triangle that was cut: its first side, and its corners in barycentric coordinates of the triangle.
 struct Part
 {
   Halfedge_index first;
@@ -128,7 +128,7 @@ private:
     return q;
   }
 
-  // A point of a triangle without area lies on an edge between corners of those with which it forms a segment.
+  // A point of a triangle without area lies on an edge between corners of the triangles that form a segment with it.
   Surface_point point_on_edge(const Point_in_triangle& p) const
   {
     std::set<std::uint32_t> corners;
@@ -164,7 +164,7 @@ private:
                               "another one");
   }
 
-  // In the part where it lies deepest.
+  // The point in the part where it lies deepest.
   static Surface_point point_in_part(const std::vector<Part>& parts, const Triple& p)
   {
     Surface_point result;
@@ -203,7 +203,7 @@ private:
     return false;
   }
 
-  // Goes on to a point in the triangle of the last one, with a point where a part is entered.
+  // Appends a point in the triangle of the last one, after a point wherever another part is entered.
   void cross_parts(const std::vector<Part>& parts, const Surface_point& to, std::vector<Surface_point>& curve) const
   {
     struct Way

@@ -45,7 +45,7 @@ Face_apex Laid_out_faces::apex_of_flat_face(const std::array<double, 3>& length)
 void Laid_out_faces::add_face(const Corners& corners, const std::array<double, 3>& length, const Face_apex& apex)
 {
   const double x = apex.x * length[0], rest = apex.rest * length[0], height = apex.height * length[0];
-  // Of the two sides at each corner.
+  // The scalar product of the two sides at each corner.
   const std::array<double, 3> dot{x * length[0], rest * length[0], height * height - x * rest};
   const double cross = height * length[0];
   for (int i = 0; i < 3; ++i) {

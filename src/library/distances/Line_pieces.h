@@ -21,7 +21,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Nodes lie on edges between triangles, where a line has at most one piece on either side; or they are junctions.
-// Pieces run so that what comes first lies to their left.
+// Pieces run so that whatever comes first in order lies to their left.
 class Line_pieces
 {
 public:
@@ -86,7 +86,7 @@ private:
     return a == b || (nodes_[a].vertex != none && nodes_[a].vertex == nodes_[b].vertex);
   }
 
-  // A line that shrinks to a point is none.
+  // A line that shrinks to a point is dropped.
   void follow(std::uint32_t i, std::vector<Traced_line>& result)
   {
     Traced_line line;
@@ -104,7 +104,7 @@ private:
     if (last == none)
       return;
     if (are_same(first, pieces_[last].to))
-      line.points.push_back(line.points.front()); // the same numbers
+      line.points.push_back(line.points.front()); // with the same coordinates
     else
       line.points.push_back({pieces_[last].start.halfedge, pieces_[last].end});
     result.push_back(std::move(line));

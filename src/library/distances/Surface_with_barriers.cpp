@@ -119,7 +119,7 @@ Surface_point Surface_with_barriers::checked(const Surface_point& p) const
   return {p.halfedge, internal::with_sum_one(p.coordinates)};
 }
 
-// Of the corners of a triangle, relative to a halfedge of its face.
+// The coordinates of the corners of a triangle, relative to a halfedge of its face.
 std::array<Coordinates, 3> Surface_with_barriers::corners(std::size_t triangle, Halfedge_index h) const
 {
   std::array<Coordinates, 3> result;
@@ -140,7 +140,7 @@ void Surface_with_barriers::add_point(const Surface_point& p, Parts& parts) cons
     parts.push_back(source_at_vertex(connectivity_, v).parts.front());
 }
 
-// On both sides of an edge, which may be a barrier.
+// Adds the segment on both sides of an edge, which may be a barrier.
 void Surface_with_barriers::add_segment(const Surface_point& p, const Surface_point& q, Parts& parts) const
 {
   Coordinates to;
@@ -157,7 +157,7 @@ void Surface_with_barriers::add_segment(const Surface_point& p, const Surface_po
   }
 }
 
-// Its parts in the triangles of a face.
+// Adds the parts of the segment in the triangles of a face.
 void Surface_with_barriers::add_segment_in_face(Halfedge_index h, const Coordinates& from, const Coordinates& to,
                                                 Parts& parts) const
 {

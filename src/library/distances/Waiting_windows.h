@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Windows that wait at their sides for their turn, and which of them are left out or become one.
+// Windows that wait at their sides for their turn; some are dropped or merged.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WAITING_WINDOWS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WAITING_WINDOWS_H
@@ -33,8 +33,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Waiting_windows
 {
 public:
-  // \param rests lower bounds of the distances of rows from a goal, or null: windows come in the order of what their
-  //   distance is at least together with the rest
+  // \param rests lower bounds of the distances of rows from a goal, or null: windows are ordered by a lower bound of
+  //   their distance plus the rest
   Waiting_windows(const Laid_out_faces& surface, double tolerance, const std::vector<double>* rests)
     : surface_(surface), tolerance_(tolerance), rests_(rests),
       waiting_(tolerance > 0 ? surface.sides().size() : 0, none), in_order_(tolerance > 0 ? 0 : surface.sides().size())
@@ -54,7 +54,7 @@ public:
       queue_.push({w.distance(surface_.side(w.side).length / 2), first});
   }
 
-  // \param event its sigma becomes the distance
+  // \param event sigma becomes the distance
   void add_event(double distance, Window event)
   {
     event.sigma = distance;
@@ -63,8 +63,8 @@ public:
 
   bool is_empty() const { return queue_.empty(); }
 
-  // The next one with its place in the order. With a tolerance, a bundle stands for all at its side, and stays there. Without, it
-  // may have been taken by another one (`Window::taken`).
+  // The next window with its place in the order. With a tolerance, a bundle stands for all at its side, and stays
+  // there. Without one, it may have been taken by another one (`Window::taken`).
   std::pair<double, Window> pop()
   {
     const auto [distance, slot] = queue_.top();
@@ -117,7 +117,7 @@ private:
     }
   };
 
-  // Along the side, the rest does not fall faster than one comes nearer to an end.
+  // Along the side, the rest falls no faster than the distance to an end.
   double least_length(const Window& w) const
   {
     const double least = w.distance(w.nearest());
@@ -151,8 +151,8 @@ private:
     row.erase(place);
   }
 
-  // Between the waiting windows whose ways come from farther to the left and to the right. What others reach sooner is
-  // cut off, of this window and of those.
+  // Adds a window between the waiting ones whose ways come from farther to the left and from farther to the right. Of
+  // all these windows, parts that others reach sooner are cut off.
   void add_in_order(Window& w)
   {
     std::vector<Place>& row = in_order_[w.side];
@@ -178,13 +178,13 @@ private:
     }
     const std::uint32_t slot = store(w);
     row.insert(place, Place(w.place_in_order(), slot));
-    // At the distance of its nearest point: windows derived from it are not nearer, so ways continue from a vertex
-    // only once the shortest way to it is known.
+    // The window waits for the distance of its nearest point: windows derived from it are not nearer, so ways continue
+    // from a vertex only once the shortest way to it is known.
     queue_.push({least_length(w), slot});
   }
 
   // Merges a window with waiting ones that come from the same point, if possible.
-  // \return the first one that comes from about there, or behind it
+  // \return the first one that comes from about the same place, or from beyond it
   std::vector<Place>::iterator unite_with_waiting(Window& w)
   {
     const double least_gap = least_width * surface_.side(w.side).length;
@@ -256,7 +256,7 @@ private:
     return true;
   }
 
-  // Whether the ways of another window are shorter at all points of w; or longer by the tolerance at most, if they have
+  // Whether the ways of another window are shorter at all points of w; or longer by at most the tolerance, if they have
   // the same direction.
   bool is_nowhere_shorter(const Window& w, const Window& other) const
   {

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A bundle of straight ways across a side of a face, and what is shorter of two of them.
+// A bundle of straight ways across a side of a face, and which of two is shorter.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WINDOW_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WINDOW_H
@@ -50,7 +50,7 @@ struct Window
   std::uint32_t side;
   std::uint32_t next = Laid_out_faces::none; // of the windows that wait at the side; `taken` once another one has taken
                                              // its place
-  std::uint32_t source = 0;                  // where the ways come from in the end
+  std::uint32_t source = 0;                  // where the ways originally come from
   std::uint16_t turns = 0;                   // the number of narrow edges crossed since the vertex
   Kind kind = POINT;
 
@@ -63,7 +63,7 @@ struct Window
   double place_in_order() const { return kind == FRONT ? -x : x; }
 };
 
-// At the same side. If both are equal in all numbers, their order does not matter.
+// An order of windows at the same side. If all numbers of two are equal, their order does not matter.
 inline bool is_before(const Window& u, const Window& v)
 {
   if (u.b0 != v.b0)
@@ -87,7 +87,7 @@ inline Window turned_over(Window w, double length)
   return w;
 }
 
-// By how much points may differ from that of w and be the same; likewise directions of fronts.
+// By how much a point may differ from that of w and still count as the same; likewise for directions of fronts.
 inline double least_difference(const Window& w)
 {
   return w.kind == Window::FRONT ? 1e-13 * (1 + std::abs(w.sigma) / w.b1) : 1e-11 * (std::abs(w.x) + w.y + w.sigma);
@@ -101,7 +101,7 @@ inline bool come_from_same_point(const Window& u, const Window& v)
            least_difference(u);
 }
 
-// Of two windows that come from the same point, or parts of the same front, the first one beginning first.
+// Unites two windows that come from the same point, or are parts of the same front. \pre u begins before v
 inline Window both(const Window& u, const Window& v)
 {
   Window result = u.b1 - u.b0 > v.b1 - v.b0 ? u : v;
@@ -129,8 +129,8 @@ inline bool is_nowhere_longer(const Window& other, const Window& w, double facto
   return !(b > (std::max)(w.b0, other.b0) && b < (std::min)(w.b1, other.b1) && is_longer(b));
 }
 
-// From where on the ways of v, which come from farther to the right, are shorter than those of u by more than rounding,
-// if both are comparable. If v comes from farther to the left, up to where.
+// Where the ways of v, which come from farther to the right, begin to be shorter than those of u by more than rounding,
+// if both are comparable; if v comes from farther to the left, where they cease to be.
 //
 // Since |(b, 0) − (x, −y)|² = (b − x)² + y², the difference of the squares is linear in b. It has to be 2·10⁻¹² of the
 // squares, and more if the way before that vertex is long.
@@ -145,7 +145,8 @@ inline double shorter_from(const Window& u, const Window& v)
   return meeting + 4e-12 * r * ((r + u.sigma) / dx);
 }
 
-// Whether what is shorter changes at one point at most: for two fronts, and two windows from the same vertex.
+// Whether at most one point separates where either window is shorter: for two fronts, and two windows from the same
+// vertex.
 inline bool are_comparable(const Window& u, const Window& v)
 {
   return u.kind == v.kind && (u.kind == Window::FRONT || u.sigma == v.sigma);

@@ -46,8 +46,8 @@ public:
       origins_(surface.number_of_rows(), none), splits_(surface.sides().size()), waiting_(surface, tolerance, rests),
       at_narrow_edges_(surface.number_of_narrow_edges())
   {
-    // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
-    // before. If they may come from different faces, nothing is known.
+    // Of two ways to a corner, the window of the longer one is cut off beyond the other, because they have crossed in
+    // the face before. If they may come from different faces, nothing is known.
     for (std::uint32_t side = 0; side < splits_.size(); ++side)
       if (surface.beside(side) != none)
         splits_[side].distance = std::numeric_limits<double>::quiet_NaN();
@@ -82,7 +82,7 @@ public:
     return true;
   }
 
-  // The same, from points.
+  // Does the same from points.
   void run_from_points(const std::vector<std::uint32_t>& numbers, const Interruption& interruption)
   {
     Window_sources sources;
@@ -102,7 +102,7 @@ public:
     run(sources, (std::numeric_limits<std::uint64_t>::max)(), interruption, {});
   }
 
-  // Of the points; infinite where no way leads. Ways that bend at a corner of the face come from there.
+  // The distances of the points; infinite where no way leads. Ways that bend at a corner of the face come from there.
   std::vector<double> distances_of_points() const
   {
     std::vector<double> result = point_distances_;
@@ -268,7 +268,7 @@ private:
     }
     for (const Face_source& source : sources.in_faces)
       for (std::uint32_t side : {source.side, surface_.next(source.side), surface_.prev(source.side)})
-        if (surface_.side(side).opposite != none) // ways into there may begin between others
+        if (surface_.side(side).opposite != none) // ways into that face may begin between others
           splits_[surface_.side(side).opposite].distance = std::numeric_limits<double>::quiet_NaN();
     for (const Face_source& source : sources.in_faces) {
       const First_ways first = first_ways(surface_, source);
@@ -472,7 +472,7 @@ private:
     const double up = w.y * b, down = w.y * s.apex_x - w.run(b) * s.apex_y;
     return up <= 0 ? 0 : (down > up ? up / down : 1);
   }
-  // The side from the end to the corner.
+  // The same for the side from the end to the corner.
   static double on_right(const Window& w, const Side& s, double b)
   {
     const double up = w.y * (s.length - b), down = w.y * (s.length - s.apex_x) + w.run(b) * s.apex_y;

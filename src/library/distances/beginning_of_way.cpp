@@ -21,7 +21,7 @@ namespace {
 
 using plane::Vector;
 
-// A straight way back from a row, which lies at the origin; the way lies on the axis.
+// A straight way back from a row. The row lies at the origin, and the way on the axis.
 class Way
 {
 public:

@@ -18,7 +18,7 @@ inline double determinant(const std::array<double, 3>& p, const std::array<doubl
   return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
 }
 
-// \param corners of the part, and p: in the triangle
+// \param corners, p the corners of the part and the point, in coordinates of the triangle
 inline std::array<double, 3> coordinates_in_part(const std::array<std::array<double, 3>, 3>& corners,
                                                  const std::array<double, 3>& p)
 {

@@ -30,7 +30,7 @@ namespace {
 
 std::string name_of(std::size_t part) { return "curve " + std::to_string(part); }
 
-// \param parts_at to the right and to the left of which parts of the curve each region lies
+// \param parts_at for each region, the parts of the curve to whose right and to whose left it lies
 void check_sides(const std::map<std::uint32_t, std::array<std::set<std::size_t>, 2>>& parts_at,
                  std::size_t number_of_parts)
 {
@@ -66,7 +66,7 @@ void check_sides(const std::map<std::uint32_t, std::array<std::set<std::size_t>,
                                  " of the curve, which follows the border: distances have no sign");
 }
 
-// Of the triangles into which a curve divides the faces: whether they lie to its left. Those of other components do.
+// Whether the triangles into which a curve divides the faces lie to its left. Triangles of other components do.
 std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces, std::size_t number_of_parts)
 {
   const auto key = internal::Cut_faces::key;
@@ -136,7 +136,7 @@ std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<s
   for (std::uint32_t t = 0; t < of_triangle.size(); ++t)
     triangles_in[faces.input_faces()[t]].push_back(t);
   std::vector<Sign> result;
-  for (const Surface_point& p : points) { // in the triangle in which it lies deepest
+  for (const Surface_point& p : points) { // the triangle where the point lies deepest decides
     double deepest = -std::numeric_limits<double>::infinity();
     result.push_back(POSITIVE);
     for (std::uint32_t t : triangles_in[input.face(p.halfedge).idx()]) {

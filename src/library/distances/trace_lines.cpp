@@ -46,8 +46,8 @@ struct Triangle
 };
 
 // The faces of the overlay are cut into triangles, and these at their longest sides: until no line can be in them, or
-// distances are nearly linear, or they are as small as the tolerance. What a vertex is, above or below a level, or
-// nearest to which source, is decided once; likewise where a line crosses a side. So lines have no gaps.
+// distances are nearly linear, or they are as small as the tolerance. Whether a vertex is above or below a level, or
+// which source is nearest to it, is decided once, as is where a line crosses a side. So lines have no gaps.
 class Line_tracer
 {
 public:
@@ -86,7 +86,7 @@ private:
 
   bool has_levels() const { return !wanted_.levels.empty(); }
 
-  // Adds those in which there may be a line.
+  // Adds the triangles in which there may be a line.
   void triangulate(const Input_layer& input, const Intrinsic_layer& intrinsic, Overlay::Face f,
                    std::vector<Triangle>& coarse)
   {
@@ -253,15 +253,15 @@ private:
     return result;
   }
 
-  // At least the rounding of what is compared with it.
+  // At least the rounding of the numbers that are compared with it.
   double tolerance(const Triangle& t, const Seen& seen) const
   {
     const double rounding_of_dips = 0x1p-49 * (faces_.side(3 * t.face).length + seen.range().second);
     return (std::max)(wanted_.chord_tolerance, rounding_of_dips) + slack(t);
   }
 
-  // Whether no line can be in a triangle or on its sides, wherever these will be divided. With a tolerance of the search,
-  // the next face may see a side in another way.
+  // Whether no line can be in a triangle or on its sides, wherever these will be divided. With a tolerance of the
+  // search, distances on a side may differ in the next face.
   bool is_far(const Triangle& t, const Seen& seen) const
   {
     const std::array<std::uint32_t, 3> ranks = ranks_of(t);
@@ -413,7 +413,7 @@ private:
                              : std::array<std::uint32_t, 2>{cells.first, cells.second});
   }
 
-  // In the order of the vertices.
+  // The ends of a side, in the order of the vertices.
   static std::pair<const Corner&, const Corner&> ends(const Triangle& t, std::size_t side)
   {
     const Corner &a = t.corners[side], &b = t.corners[(side + 1) % 3];

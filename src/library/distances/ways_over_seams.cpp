@@ -21,8 +21,8 @@ namespace {
 
 using plane::Vector;
 
-// Straight ways back from rows. At an edge of several sheets, it is not known from which of them the way comes: they are
-// tried one after the other, until the distance of a vertex fits.
+// Straight ways back from rows. At an edge of several sheets, the sheet that the way comes from is unknown: they are
+// tried one after the other until the distance of a vertex fits.
 class Ways_over_seams
 {
 public:
@@ -116,7 +116,7 @@ private:
            std::abs(windows_.distances[row] + gone - length_) <= 1e-9 * length_;
   }
 
-  // Whether the distance of the vertex where a side begins, at p, allows the rest of the way.
+  // Whether the distance of the vertex at p, where a side begins, allows the rest of the way.
   bool fits(std::uint32_t side, const Vector& p, double gone) const
   {
     const double d = windows_.distances[faces_.side(side).row], between = std::hypot(p[0] - gone, p[1]),

@@ -24,8 +24,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The nearest first, by intervals of equal length, an eighth as many as rows; within an interval, the smallest row
-// first. \pre none is negative or NaN
+// The rows, the nearest first: by intervals of equal length, an eighth as many as there are rows, and by row within an
+// interval. \pre none is negative or NaN
 std::vector<std::uint32_t> rows_by_distance(const std::vector<double>& distances);
 
 // Corrects distances longer than the shortest path along edges of the triangulation and of its input, or, for a surface
@@ -57,7 +57,7 @@ public:
       if (!metric.points().empty()) {
         points_.resize(row.number_of_rows(), {no_point, 0, 0});
         for (Vertex_index v : input.vertices())
-          for (int i = 0; i < 3 && input.halfedge(v).is_valid(); ++i) // others may have any point
+          for (int i = 0; i < 3 && input.halfedge(v).is_valid(); ++i) // the point of an isolated vertex is ignored
             points_[row(v)][i] = std::ldexp(metric.points()[v.idx()][i], exponent);
       }
     }
@@ -69,13 +69,13 @@ public:
 
   // \param distances by rows; infinite ones become finite where edges lead
   // \param sources rows, and their distances from the source that they represent
-  // \param farther by how much more points of a source may be away from its row
+  // \param farther how much farther than its row the points of a source may be
   void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources, double farther = 0) const;
 
 private:
-  static constexpr double not_yet = std::numeric_limits<double>::infinity();  // the path of a row before its turn
-  static constexpr double nowhere = (std::numeric_limits<double>::max)();     // and of unreachable rows
-  static constexpr double no_point = std::numeric_limits<double>::infinity(); // of rows that are not in the input
+  static constexpr double not_yet = std::numeric_limits<double>::infinity();  // a row whose turn has not come
+  static constexpr double nowhere = (std::numeric_limits<double>::max)();     // an unreachable row
+  static constexpr double no_point = std::numeric_limits<double>::infinity(); // a row that is not in the input
 
   // Whether an edge is also an input edge, which is added anyway.
   template <class Traits>

@@ -40,7 +40,7 @@ std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& com
                                       1000000 + 500 * std::uint64_t(complex.number_of_faces()));
 }
 
-// Distances by windows, between their bounds and in the unit of the input; of goals only if there are any.
+// Distances by windows, between their bounds and in the unit of the input; only those of the goals if there are any.
 Window_distances bounded_distances(const Laid_out_faces& faces, const Distance_bounds& bounds, double tolerance,
                                    const Window_sources& sources, std::uint64_t most, const Interruption& interruption,
                                    const std::vector<std::uint32_t>& goals);
@@ -52,7 +52,7 @@ struct Distances_near_sources
   double farther = 0;
 };
 
-// Of the corners of the faces in which there are sources, in the unit of the input.
+// The distances of the corners of the faces that contain sources, in the unit of the input.
 Distances_near_sources distances_near_sources(const Laid_out_faces& faces, const Distance_bounds& bounds,
                                               const Window_sources& sources, std::uint64_t most,
                                               const Interruption& interruption);
@@ -111,13 +111,13 @@ public:
     return distances_near_sources(faces_, bounds_, sources, most_, interruption_);
   }
 
-  // The waves up to a distance in the unit of the input.
+  // The waves up to a distance, in the unit of the input.
   Waves waves(const Window_sources& sources, double farthest) const
   {
     return find_waves(faces_, tolerance_, sources, most_, interruption_, std::ldexp(farthest, -faces_.exponent()));
   }
 
-  // Of all rows, in the unit of the input; too large where they are larger than `farthest`.
+  // The distances of all rows, in the unit of the input; those beyond `farthest` may be too large.
   std::vector<double> distances_up_to(const Window_sources& sources, double farthest) const
   {
     std::vector<double> result =

@@ -25,13 +25,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Several vertices may have the same row, as those of a cover.
+// Several vertices may have the same row, as in a cover.
 class Laid_out_faces
 {
 public:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  // From (0, 0) to (length, 0), with the face to the left. The three sides of a face are consecutive.
+  // A side runs from (0, 0) to (length, 0), with the face to its left. The three sides of a face are consecutive.
   struct Side
   {
     std::uint32_t opposite = none; // none on the border
@@ -91,10 +91,10 @@ public:
   const Side& side(std::uint32_t i) const { return sides_[i]; }
   // An edge without faces has a side at each end, and a third one that stands for nothing. All come last.
   bool is_flat_edge(std::uint32_t i) const { return i >= halfedges_.size(); }
-  // Of a flat edge: its number, and the side at its other end.
+  // The number of a flat edge, and the side at its other end.
   std::size_t flat_edge(std::uint32_t i) const { return (i - halfedges_.size()) / 3; }
   std::uint32_t other_end(std::uint32_t i) const { return i % 3 == 0 ? i + 1 : i - 1; }
-  // Those that begin at a row, as (row, side), from the first one on.
+  // The flat edges from the first one at this row on, as (row, side).
   std::vector<std::pair<std::uint32_t, std::uint32_t>>::const_iterator flat_edges_at(std::uint32_t row) const
   {
     return std::lower_bound(flat_edges_.begin(), flat_edges_.end(), std::make_pair(row, std::uint32_t(0)));
@@ -110,7 +110,7 @@ public:
   std::uint32_t beside(std::uint32_t i) const { return beside_.empty() ? none : beside_[i]; }
   std::size_t number_of_narrow_edges() const { return number_of_narrow_edges_; }
   double longest_side() const;
-  // Infinite on the border.
+  // The sum of the angles at a vertex; infinite on the border.
   double angle_sum(std::uint32_t vertex) const
   {
     return angle_sums_[vertex] < 0 ? std::numeric_limits<double>::infinity()
@@ -127,7 +127,7 @@ public:
 private:
   using Corners = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>; // vertices, and their rows
 
-  // The one whose corner comes first, if there are several.
+  // The longest side of a face; if there are several, the one whose corner comes first.
   template <class Row>
   Halfedge_index longest_side(const Delta_complex& complex, const Row& row, Halfedge_index first,
                               const std::vector<double>& lengths) const
@@ -156,7 +156,7 @@ private:
   Places places_;
   std::vector<Side> sides_;
   std::vector<Halfedge_index> halfedges_; // of the sides
-  std::vector<std::int64_t> angle_sums_;  // by vertex; as integers they are the same in any order, and -1 on the border
+  std::vector<std::int64_t> angle_sums_;  // by vertex, -1 on the border; integers, whose sum has no order
   std::vector<std::uint32_t> first_, corners_;
   std::vector<std::uint32_t> beside_; // of the sides, if the surface was cut
   std::vector<std::pair<std::uint32_t, std::uint32_t>> flat_edges_;

@@ -26,12 +26,12 @@ class Laid_out_points
 public:
   static constexpr std::uint32_t none = Laid_out_faces::none;
 
-  // Relative to each side of its face, from where that begins.
+  // A point relative to each side of its face, from where the side begins.
   struct Point
   {
     std::array<std::array<double, 2>, 3> at;
     std::uint32_t number, face;
-    std::uint32_t row; // of the vertex that it is, or none
+    std::uint32_t row; // of the vertex that the point is, or none
   };
 
   // \param points of `complex`, which the faces belong to; those without a halfedge are nowhere

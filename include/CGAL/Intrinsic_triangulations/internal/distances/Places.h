@@ -50,8 +50,8 @@ private:
 
 // A copy in which the choice among several Delaunay triangulations does not depend on the order of flips; nothing if
 // there is no choice. Ties that are edges of the input remain: the convex function on the surface whose edges are the
-// Delaunay ones goes down with each flip, so no flipped edge is ever a tie again. Among the others, the choice is the
-// one that would be Delaunay if the first vertices had slightly larger weights.
+// Delaunay ones goes down with each flip, so no flipped edge is ever a tie again. Among the others, it chooses those
+// that would be Delaunay if the first vertices had slightly larger weights.
 // \exception Cancelled_error if the interruption says so
 template <class Traits, class Row>
 std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsic_triangulation<Traits>& triangulation,

@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // of a side: straight, or beside the bundle over its nearest end. The face lies in the plane as relative to its first
 // side.
 //
-// Each is the length of some way, convex in the face, and changes no faster than the point moves.
+// A wave gives the length of some way. It is convex in the face, and changes no faster than the point moves.
 struct Wave
 {
   enum Kind : std::uint16_t {
@@ -34,11 +34,11 @@ struct Wave
   Kind kind = ALL_AROUND;
   Vector from{0, 0};               // the point, or the direction of the front
   double sigma = 0;                // the distance at that point, or of the front at the origin
-  std::array<Vector, 2> ends{};    // of the window, seen along the ways first the right one; or of the segment
+  std::array<Vector, 2> ends{};    // of the window, the right one first, seen along the ways; or of the segment
   std::array<double, 2> at_ends{}; // the distances there
 };
 
-// Those of all faces, by the number of the face; distances in the unit of the faces.
+// The waves of all faces, by the number of the face; distances are in the unit of the faces.
 struct Waves
 {
   std::vector<Wave> waves;

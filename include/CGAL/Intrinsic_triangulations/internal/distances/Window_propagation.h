@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Each distance is the length of a way on the surface, up to rounding and the tolerance; so none is too small.
+// Each distance is the length of a way on the surface, up to rounding and the tolerance, so no distance is too small.
 struct Window_distances
 {
   // How the shortest way reaches a row: at the vertex where the side begins, from this angle to the left of it.
@@ -40,7 +40,7 @@ struct Window_distances
 // \param tolerance of the lengths of ways, as a fraction of each edge that they cross
 // \param most the maximum number of windows passed on; the others are lost
 // \param goals rows: if there are any, windows farther away than all of them are not followed
-// \param farthest nor are windows beyond; distances that are not larger are found
+// \param farthest windows beyond are not followed, either; distances up to this one are found
 // \param waves if not null, receives the windows that enter faces
 Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance, const Window_sources& sources,
                                    std::uint64_t most, const Interruption& interruption,

@@ -34,7 +34,7 @@ struct Face_source
   double length = 0;
   double offset = 0;
   std::uint32_t number = 0;
-  // Of a point that joins segments: ways are sent in directions that have no negative product with these.
+  // For a point that joins segments: ways are sent only in directions that have no negative product with these.
   std::vector<std::array<double, 2>> limits;
   bool is_on_side = false; // a point
 
