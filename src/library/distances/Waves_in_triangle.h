@@ -31,7 +31,7 @@ struct Wave_in_triangle
 
   double lowest() const { return *std::min_element(values.begin(), values.end()) - dip; }
   double highest() const { return *std::max_element(values.begin(), values.end()); }
-  // Whether it is nowhere lower than another one, but for a tolerance.
+  // Whether it is nowhere lower than another one by more than a tolerance.
   bool is_above(const Wave_in_triangle& other, double tolerance) const
   {
     for (std::size_t i = 0; i < 3; ++i)

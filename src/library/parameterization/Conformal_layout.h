@@ -81,14 +81,14 @@ public:
       if (!is_inner(e) || is_cut_[e.idx()])
         for (Vertex_index v : {complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e))})
           is_on_cut[v.idx()] = true;
-    // Triangles with one orientation around a point: the sum is a multiple of 2 pi, so it need not be known exactly.
+    // Triangles with one orientation go around a point: the sum is a multiple of 2π, so it need not be known exactly.
     for (Vertex_index v : complex_.vertices())
       if (!is_on_cut[v.idx()] && complex_.halfedge(v).is_valid() && !(std::abs(sums[v.idx()] - 2 * CGAL_PI) < 1))
         return false;
     return true;
   }
 
-  // The largest difference between the lengths of the images of a cut edge, or from its length.
+  // The largest difference between the lengths of the two images of a cut edge, or between one of them and its length.
   double seam() const
   {
     double result = 0, longest = 0;
@@ -121,7 +121,7 @@ private:
 
   // Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of faces does
   // not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree crosses those
-  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are no cuts.
+  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are not cut.
   void cut(const std::vector<bool>& is_end)
   {
     std::vector<bool> is_in_tree(complex_.number_of_edges(), false);
@@ -146,7 +146,8 @@ private:
     prune(is_end);
   }
 
-  // Along edges inside the surface, from its border. Each component that has no border gets one vertex as its root.
+  // Distances from the border along edges inside the surface. In each component without a border, one vertex is the
+  // root.
   std::vector<double> distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -220,8 +221,8 @@ private:
     }
   }
 
-  // From the largest face of each component, over the longest edges first, so that small triangles get their places from
-  // their neighbors. The components come from left to right.
+  // Goes from the largest face of each component over the longest edges first, so that small triangles get their places
+  // from their neighbors. The components are put side by side, from left to right.
   void lay_out()
   {
     std::vector<std::pair<double, Face_index>> faces;
@@ -280,7 +281,7 @@ private:
     return placed;
   }
 
-  // Where the third corner of the face of h belongs, whose ends are placed.
+  // The place of the third corner of the face of h, where the ends of h have been placed.
   Point third(Halfedge_index h) const
   {
     const double c = length(h), a = length(complex_.next(h)), b = length(complex_.prev(h));
@@ -294,7 +295,7 @@ private:
     return {p[0] + (x * dx - y * dy) / d, p[1] + (x * dy + y * dx) / d};
   }
 
-  // Corners around a vertex between cuts get their mean.
+  // Corners around a vertex between two cuts get the mean of their places.
   void merge_corners()
   {
     Disjoint_sets sets(corners_.size());

@@ -43,7 +43,7 @@ namespace {
 using Planar_point = Conformal_map::Point;
 using Planar_segment = std::array<Planar_point, 2>;
 
-// Other than a common end.
+// Whether segments have a common point other than a common end.
 bool have_common_point(Planar_segment first, Planar_segment second)
 {
   std::sort(first.begin(), first.end());
@@ -104,7 +104,7 @@ Planar_point planar_point(const std::array<Planar_point, 3>& t, const std::array
   return {x[0] * t[0][0] + x[1] * t[1][0] + x[2] * t[2][0], x[0] * t[0][1] + x[1] * t[1][1] + x[2] * t[2][1]};
 }
 
-// In the affine coordinates in which the corners of the face are (0, 0), (1, 0) and (0, 1).
+// A point in affine coordinates in which the corners of the face are (0, 0), (1, 0) and (0, 1).
 Planar_point in_face(const Conformal_map& map, const Surface_point& p, Face_index f)
 {
   const std::array<double, 3> x = map.coordinates_in_face(p, f);
@@ -123,7 +123,7 @@ Planar_point between(const Planar_point& p, const Planar_point& q, double t)
   return {(1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1]};
 }
 
-// The overlay of the Delaunay triangulation of a surface and what flips have made of it.
+// The overlay of the Delaunay triangulation of a surface and the triangulation that flips make of it.
 Overlay overlay_of_flips(const Delta_complex& complex, const std::vector<Edge_index>& flips,
                          const Progress_function& progress)
 {
@@ -159,7 +159,7 @@ public:
   Conformal_map run(bool only_if_certified)
   {
     const Discrete_conformal_metric& metric = map_.metric;
-    // Of a double, only the overlay tells where the given half is.
+    // In a double, only the overlay tells where the given half is.
     std::vector<bool> is_inside(metric.triangulation.number_of_halfedges(), !doubled_.is_doubled);
     std::optional<Common_subdivision> subdivision;
     std::optional<Triple_overlay> overlay;
@@ -253,7 +253,7 @@ private:
       map_.places.push_back(place_of_vertex(v));
       map_.weights.push_back(image.is_valid() ? overlay.weights()[image.idx()] : 1);
     }
-    // In the order of the input faces.
+    // Sorts the pieces by input face.
     std::vector<std::size_t>& first = map_.first_of_face;
     first.assign(map_.input.number_of_faces() + 1, 0);
     std::vector<std::size_t> order(triangles.size()), next = first;
@@ -346,7 +346,7 @@ private:
     return {h.is_valid() ? map_.input.opposite(h) : h, {1, 0, 0}};
   }
 
-  // A point of the double's input that lies in a face of the first copy.
+  // The point of the given surface for a point of the double's input that lies in a face of the first copy.
   Surface_point given_place(const Surface_point& p) const
   {
     if (given_halfedge_[p.halfedge.idx()].is_valid())
@@ -400,7 +400,7 @@ private:
     }
   }
 
-  // Of the parts into which cuts divide an input triangle.
+  // Extends the largest of the parts into which cuts divide an input triangle.
   void extend_largest_part(Face_index f, const Conformal_layout& layout)
   {
     const std::size_t first = map_.first_of_face[f.idx()], n = map_.first_of_face[f.idx() + 1] - first;
@@ -444,7 +444,7 @@ private:
   const Doubled_surface::Triangulation& surface_;
   const Doubled_surface& doubled_;
   const Progress_function& progress_;
-  int unit_; // until its end, the map is in that of `doubled_`
+  int unit_; // the map is in the unit of `doubled_` until it is complete
   const Delta_complex& input_;
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
   std::vector<bool> is_divided_;
@@ -549,7 +549,7 @@ Surface_point Conformal_map::to_surface(const Point& point) const
   return result;
 }
 
-// Of a point in a face or on its border, relative to `input.halfedge(f)`.
+// The coordinates of a point in a face or on its border, relative to `input.halfedge(f)`.
 std::array<double, 3> Conformal_map::coordinates_in_face(const Surface_point& p, Face_index f) const
 {
   std::array<double, 3> result{1, 0, 0};

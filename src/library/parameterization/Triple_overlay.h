@@ -28,10 +28,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// With A the input, B the Delaunay triangulation and C the ideal one, edges of A and of C are straight within faces of B:
-// those of C as lines of the projective model. So each face of B is divided by chords of both, which cross at most once. The
-// order of all ends around a face tells which chords cross, and in which order: pieces are found by integers, and numbers
-// decide only how ends of A and of C alternate on an edge of B.
+// With A the input, B the Delaunay triangulation and C the ideal one, edges of A and of C are straight within faces of
+// B; edges of C are straight in the projective model. So each face of B is divided by chords of both, which cross at
+// most once. The order of all ends around a face tells which chords cross, and in which order: pieces are found by
+// integers, and numbers decide only how ends of A and of C alternate on an edge of B.
 class Triple_overlay
 {
 public:
@@ -108,7 +108,7 @@ public:
 
   // Where nodes lie on the input, except for vertices of the surface, which come first.
   const std::vector<Surface_point>& nodes() const { return nodes_; }
-  // Of nodes: those of homogeneous coordinates in the new metric that are linear on faces of B.
+  // The weights of nodes: of homogeneous coordinates in the new metric that are linear on faces of B.
   const std::vector<double>& weights() const { return weights_; }
 
 private:
@@ -122,14 +122,15 @@ private:
   {
     double position, t;
   };
-  // On an edge of B, in the direction of 2e.
+  // A node on an edge of B, in the direction of 2e.
   struct On_edge
   {
     double position;
     std::uint32_t node;
     bool is_ideal;
   };
-  // Of a face of B: on its boundary, counterclockwise from its first corner, and then where chords cross.
+  // A node of a face of B: first those on its boundary, counterclockwise from its first corner, then those where chords
+  // cross.
   struct Local_node
   {
     std::uint32_t number;
@@ -144,8 +145,8 @@ private:
     std::uint32_t from, to;
     Overlay::Halfedge chord;
   };
-  // Of a chord of C with one of A, ordered from the source of halfedge 2s on: the nearer an end of the other chord to the
-  // right is to it, the earlier; with the same end, the farther the one to the left is.
+  // A crossing of a chord of C with one of A, in the order from the source of halfedge 2s: the nearer to it the other
+  // chord's end on the right is, the earlier; with the same end, the farther its end on the left is.
   struct Crossing
   {
     std::uint32_t segment, right, left, node;
@@ -168,7 +169,8 @@ private:
   {
     return to > from ? (std::min)(1., (std::max)(0., (x - from) / (to - from))) : 0.5;
   }
-  // What is at the fraction t of a line with homogeneous weights at its ends, in inhomogeneous coordinates.
+  // The fraction in inhomogeneous coordinates of the point at the fraction t of a line with homogeneous weights at its
+  // ends.
   static double projective(double t, double weight_from, double weight_to)
   {
     const double sum = between(t, weight_from, weight_to);
@@ -177,7 +179,7 @@ private:
   double length(Halfedge_index h) const { return lengths_[intrinsic_.edge(h).idx()]; }
 
   // λ-lengths from the apex before the first gate to source and target of each gate, an edge of B that is crossed from right
-  // to left, and to the apex after the last one: by Ptolemy's formula from each to the next, so nothing cancels.
+  // to left, and to the apex after the last one: each from the one before by Ptolemy's formula, so nothing cancels.
   std::vector<std::array<double, 2>> lengths_to(const std::vector<Halfedge_index>& gates) const
   {
     std::array<double, 2> now{length(intrinsic_.prev(gates[0])), length(intrinsic_.next(gates[0]))};
@@ -224,8 +226,8 @@ private:
     }
   }
 
-  // The crossings with edges of A, and those with edges of C, are each in order. The latter get places on the input: a part
-  // between two crossings with A lies in one face of A.
+  // Merges the crossings with edges of A and those with edges of C, each of which are in order. The latter get places
+  // on the input: a part between two crossings with A lies in one face of A.
   void merge(Edge_index e)
   {
     std::vector<On_edge> given, ideal;
@@ -338,7 +340,7 @@ private:
       parts_[i].clear();
   }
 
-  // Counted around the boundary from a on.
+  // The number of a node, counted around the boundary from a on.
   std::uint32_t after(std::uint32_t a, std::uint32_t x) const { return x >= a ? x - a : x + size_of_boundary_ - a; }
   std::uint32_t source(Overlay::Halfedge h) const { return ideal_begins_[h.idx()]; }
   std::uint32_t target(Overlay::Halfedge h) const { return source(ideal_overlay_.next(h)); }
@@ -404,7 +406,7 @@ private:
   }
   double weight(std::uint32_t node) const { return weights_[local_[node].number]; }
 
-  // Where a halfedge of C meets the boundary; at a corner, it begins there or ends.
+  // Where a halfedge of C meets the boundary; at a corner, it begins or ends.
   Ideal_point ideal_point(std::uint32_t node, Halfedge_index h, bool begins) const
   {
     const std::uint32_t number = local_[node].number;
@@ -413,7 +415,7 @@ private:
     return {h, ((h.idx() & 1) != 0) == begins ? 1. : 0.};
   }
 
-  // Around a face of B and C.
+  // Collects the places around a face of B and C.
   void collect_places(Overlay::Face f)
   {
     sides_.clear();
@@ -438,7 +440,7 @@ private:
       number_of_place_[places_[k].local] = k;
   }
 
-  // Its source, and what is on it.
+  // Collects the source of a side, and the nodes on it.
   void collect_side(Overlay::Halfedge h, Ideal_point first, Ideal_point second)
   {
     const Halfedge_index along = ideal_overlay_.intrinsic_halfedge(h);
@@ -485,7 +487,7 @@ private:
     }
   }
 
-  // Chords that do not cross: the shortest ones cut off pieces first.
+  // Divides by chords that do not cross: the shortest ones cut off pieces first.
   template <class Visit>
   void divide_by_chords(std::vector<Part_of_chord>& chords, const Visit& visit)
   {
@@ -534,16 +536,16 @@ private:
   std::vector<double> weights_;
   std::vector<On_edge> on_edges_; // of B, one after the other
   std::vector<std::size_t> first_on_edge_;
-  // Nodes of the present face of B where halfedges in it begin; the number of each face of B and C there.
+  // The nodes of the present face of B where halfedges in it begin, and the number of each face of B and C in it.
   std::vector<std::uint32_t> input_begins_, ideal_begins_, numbers_;
-  // Of the present face of B:
+  // For the present face of B:
   std::vector<Local_node> local_;
   std::uint32_t size_of_boundary_ = 0;
   std::vector<Overlay::Halfedge> chords_; // of A, once from each end
   std::vector<Overlay::Face> faces_;      // of B and C
   std::vector<std::vector<Part_of_chord>> parts_;
   std::vector<Crossing> crossings_;
-  // Of the present face of B and C, counterclockwise; where local nodes are among places.
+  // For the present face of B and C, counterclockwise; and the positions of local nodes among places.
   std::vector<Overlay::Halfedge> sides_;
   std::vector<Ideal_point> corners_;
   std::vector<Place> places_;

@@ -156,7 +156,7 @@ private:
   Places places_;
   std::vector<Side> sides_;
   std::vector<Halfedge_index> halfedges_; // of the sides
-  std::vector<std::int64_t> angle_sums_;  // by vertex, -1 on the border; integers, whose sum has no order
+  std::vector<std::int64_t> angle_sums_;  // by vertex, -1 on the border; sums of integers in any order are equal
   std::vector<std::uint32_t> first_, corners_;
   std::vector<std::uint32_t> beside_; // of the sides, if the surface was cut
   std::vector<std::pair<std::uint32_t, std::uint32_t>> flat_edges_;

@@ -28,7 +28,7 @@ struct Doubled_surface
 
   // The number of copies of a face, by which all sums of angles are multiplied.
   double factor() const { return is_doubled ? 2 : 1; }
-  // Whether a face of the input is no mirror image.
+  // Whether a face of the input is not a mirror image.
   bool is_given(Face_index f) const { return !is_doubled || f.idx() < triangulation.input().number_of_faces() / 2; }
 
   bool is_doubled;

@@ -26,7 +26,7 @@ struct Conformal_options
   std::vector<std::pair<Vertex_index, double>> cone_angles{}, boundary_angles{};
   Conformal_boundary boundary = Conformal_boundary::FREE;
   std::optional<std::size_t> number_of_cones{};
-  // Of u: of a closed surface, and of one with a border, where each cut is one more.
+  // The largest range of u, for a closed surface and for one with a border, where every cone costs a cut.
   double largest_range = 2, largest_range_with_border = 5;
   Progress_function progress{};
 };

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What maps to the plane need to know about a surface: its components and boundaries, and sizes without overflow.
+// What maps to the plane need to know about a surface: components, boundaries, and sizes computed without overflow.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_DISK_SHAPE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_DISK_SHAPE_H
@@ -78,7 +78,7 @@ inline std::vector<double> over_largest(std::vector<double> lengths)
   return lengths;
 }
 
-// The square root of the sum of areas, which may overflow itself.
+// The square root of the sum of areas; the sum itself may overflow.
 inline double root_of_sum(const std::vector<double>& areas)
 {
   double sum = 0;
