@@ -16,9 +16,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The numbers p + i a of the corners have their angles as arguments. So the product of the first n has the sum of n
-// angles as argument, up to multiples of 2π. This is unambiguous if corners are added one by one: a sum below π and an
-// angle of at most π make less than 2π.
+// The numbers p + i a of the corners have the angles as arguments. So the argument of the product of the first n is the
+// sum of n angles, up to multiples of 2π. This is unambiguous if corners are added one by one: a sum below π and an
+// angle of at most π add up to less than 2π.
 class Angle_sum_signs
 {
 public:

@@ -147,7 +147,7 @@ double Engine_numbers::angle(Halfedge_index h) const
   const Surface_lease surface = engine_.prepared_surface();
   const Corner c = engine_.corner(h, *surface);
   if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
-    return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
+    return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // without the sign of a zero
   Exact_fallback fallback = engine_.exact_fallback(*surface);
   if (engine_.sign_of_area(complex_.face(h), *surface) == ZERO)
     return fallback.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;

@@ -121,7 +121,7 @@ std::unique_ptr<Input_surface> Exact_engine::new_surface() const
                                          *memory_->input_properties);
 }
 
-// ---------------------------------------------------------------- when it is asked for
+// ---------------------------------------------------------------- what follows on request
 
 void Exact_engine::begin_log()
 {
@@ -201,7 +201,7 @@ bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
   return false;
 }
 
-// For the readers that follow; others find the flip in the log.
+// Updates the readers that follow; the others find the flip in the log.
 bool Exact_engine::follow(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
@@ -287,7 +287,7 @@ bool Exact_engine::follow_faces(const Hinge_halfedges& around)
   return memory.straight_faces->flip(connectivity_, positions(), e);
 }
 
-// A face within one face of the input is straight, whatever the flips before.
+// A face within one face of the input is straight, whichever flips led to it.
 void Exact_engine::recognize_straight_face(Halfedge_index h)
 {
   const Face_index f = connectivity_.face(h);
@@ -441,7 +441,7 @@ void Exact_engine::carry_images()
   memory_->split_face.reset();
 }
 
-// As corner(), from data of earlier tests.
+// As corner(), but uses data of earlier tests.
 Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, bool in_doubles)
 {
   Memory& memory = *memory_;

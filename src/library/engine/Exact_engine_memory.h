@@ -78,8 +78,8 @@ struct Exact_engine::Memory
   }
 
   // Whether and how repeating all flips takes less time than laying out most faces: if there are many flips, unless most
-  // faces are known to be straight, or if the edges cross much. Queries may find that out, and threads must agree: decided
-  // before, once for each change.
+  // faces are known to be straight, or if the edges cross much. Queries of several threads may ask this and must agree:
+  // so it is decided once for each change.
   // \param prepare is called to make the integers follow
   template <class Prepare>
   Answer may_repeat_flips(const Delta_complex& complex, const Input_metric& metric, const Prepare& prepare)
@@ -99,7 +99,7 @@ struct Exact_engine::Memory
         found = Answer::NO;
     }
     if (found == Answer::NO && log.number_of_unread(Flip_log::NUMBERS) != 0)
-      prepare(); // if flips are repeated anyway, the integers may not be needed
+      prepare(); // if flips are repeated, the integers may not be needed
     if (!metric.points().empty() && log.is_followed_by(Flip_log::INTEGERS)) {
       auto room = std::int64_t(crossings_for_flip * number_of_steps(complex));
       for (Edge_index e : complex.edges())
@@ -177,7 +177,7 @@ struct Exact_engine::Memory
 
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 
-  std::atomic<Answer> repeats_flips = Answer::UNKNOWN; // since the last change, as the others
+  std::atomic<Answer> repeats_flips = Answer::UNKNOWN; // since the last change, as are the next two
   std::atomic<const Repeated_flips*> repeated_flips = nullptr;
   std::unique_ptr<const Repeated_flips> own_repeated_flips;
   // How many crossings can be laid out while a flip is repeated with positions.

@@ -252,7 +252,7 @@ std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Half
   return -(k.p * l.four_areas + l.p * k.four_areas) / areas;
 }
 
-// As `corner()`, from data of earlier tests.
+// As `corner()`, but uses data of earlier tests.
 Exact_engine::Corner Exact_engine::known_corner(Halfedge_index h, Input_surface& surface) const
 {
   return !is_straight(connectivity_.face(h)) && memory_->developed_faces.contains(h)
@@ -318,7 +318,7 @@ Sign Exact_engine::sign_of_area(Face_index f, Input_surface& surface) const
 bool Exact_engine::has_length_zero(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;
-  find_straight_faces(); // forgets developed faces of which flips were not followed
+  find_straight_faces(); // forgets developed faces whose flips were not followed
   prepare();
   const auto& developed_faces = memory_->developed_faces;
   for (Halfedge_index h : {connectivity_.halfedge(e), connectivity_.opposite(connectivity_.halfedge(e))})

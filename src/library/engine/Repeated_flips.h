@@ -28,9 +28,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The numbers of faces that flips have changed. A flip takes as long as laying out some triangles of the input, whatever
-// the edges cross; after many flips, most edges cross more. Squared lengths take the least time; where edges cross much,
-// each flip would multiply their errors, and positions are carried along.
+// The numbers of faces that flips have changed. A flip takes as long as laying out a few triangles of the input,
+// whatever the edges cross; after many flips, most edges cross more. Squared lengths take the least time. Where edges
+// cross much, each flip would multiply their errors, so positions are carried along instead.
 class Repeated_flips
 {
 public:
@@ -49,7 +49,7 @@ public:
     });
   }
 
-  // With positions.
+  // Repeats the flips with positions.
   // \pre the input has points, and no vertex was inserted
   Repeated_flips(const Delta_complex& complex, const Flip_log& log, const Vertex_positions& positions,
                  const Interruption& interruption)
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  // No number has this part.
+  // No computed number has this lower part.
   static Real unknown() { return {0, 1, std::numeric_limits<double>::infinity()}; }
   static bool is_unknown(const Real& x) { return x.hi() == 0 && x.lo() != 0; }
 
@@ -122,7 +122,7 @@ private:
     b = across - a;
   }
 
-  Large_vector<Real> squared_lengths_, four_areas_; // by edges and faces; or
+  Large_vector<Real> squared_lengths_, four_areas_; // by edges and faces; or else
   Developed_faces faces_;
 };
 

@@ -82,7 +82,7 @@ std::vector<bool> bounded_faces(const Delta_complex& complex, const std::functio
     for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
       sum += squared_length(complex.edge(side));
     const double bound = error(f);
-    // No comparison holds for NaN.
+    // Comparisons with NaN are false.
     result.push_back(bound <= near_to_truth * sum && bound < std::numeric_limits<double>::infinity());
   }
   return result;
@@ -458,8 +458,8 @@ Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const
   return result;
 }
 
-// An input face whose plane contains all input faces that a face shares points with, or none. All of these meet its
-// sides.
+// An input face whose plane contains all input faces that share points with a face, or the null face. All of these meet
+// its sides.
 Face_index Engine_restorer::plane(Face_index f) const
 {
   const Delta_complex& input = correspondence_.input();

@@ -116,7 +116,7 @@ private:
   {
     Vector_3<FT> u, v;
   };
-  // Those of k and of l.
+  // The vectors of k and of l.
   template <class FT>
   std::pair<Sides<FT>, Sides<FT>> sides() const
   {

@@ -107,7 +107,7 @@ public:
     return unfolding(metric).squared_length(e);
   }
 
-  // The length of e, rounded as rounded() does a number with a bound. Roots that agree with the middle of two doubles
+  // The length of e, rounded as rounded() rounds a number with a bound. Roots that agree with the middle of two doubles
   // for many digits, which no known input has, err by one unit in the last place.
   double length(Edge_index e)
   {

@@ -38,7 +38,7 @@ public:
   // Whether an error below 2^-128 is accepted.
   bool accepts_probable_ties() const { return surface_.accepts_probable_ties(); }
 
-  // If all roots are rational: in the rationals.
+  // The sign, computed in the rationals, if all roots are rational.
   std::optional<Sign> rational_sign() const
   {
     if (!may_be_rational_())
@@ -52,7 +52,7 @@ public:
     }
   }
 
-  // A proof either way, if there is one in milliseconds, or in some ten seconds if nothing else is accepted.
+  // A proof either way, if one is found within milliseconds, or within about ten seconds if only proofs are accepted.
   std::optional<bool> is_zero_by_expansion() const
   {
     const std::size_t work = accepts_probable_ties() ? small_work : large_work;
@@ -88,7 +88,7 @@ public:
     return by_intervals_(metric).sign();
   }
 
-  // With as many bits as it takes. \pre it is not zero
+  // The sign, with as many bits as it takes. \pre it is not zero
   Sign sign_of_nonzero() const
   {
     for (long precision = 256;; precision = doubled(precision))
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  // In the number of computed terms.
+  // Limits on the number of computed terms.
   static constexpr std::size_t small_work = std::size_t(1) << 12, large_work = std::size_t(1) << 22;
   // Exact numbers grow with the number of quantities in them.
   static constexpr std::size_t few_quantities = 1024;

@@ -333,7 +333,7 @@ private:
     return result;
   }
 
-  // Of a number that a function computes in double-doubles and exactly.
+  // The sign of a number that a function computes in double-doubles and exactly.
   template <class Evaluate>
   static Sign sign_of(const Evaluate& evaluate)
   {
@@ -362,7 +362,7 @@ private:
   const Correspondence& correspondence_;
   const Delta_complex& input_;
   Input_surface& surface_;
-  const Points& points_; // none if the input consists of lengths
+  const Points& points_; // empty if the input consists of lengths
   // Turn number i follows segment number i.
   std::vector<Segment> path_;
   std::vector<Turn> turns_;

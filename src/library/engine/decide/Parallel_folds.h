@@ -124,7 +124,7 @@ private:
   // Whether two edges run along the first fold, in planes that they do not leave, with midpoints at one level.
   bool are_level_bases(Halfedge_index g, Halfedge_index h) const
   {
-    static const Vertex_positions::Inserted none; // as exact positions are computed
+    static const Vertex_positions::Inserted none; // exact positions are computed, not cached
     const Vertex_positions positions(input_, points(), correspondence_.locations(), none);
     const auto u = difference<Rational>(points(), fold_->first, fold_->second);
     Rational levels[2];

@@ -92,10 +92,11 @@ inline std::optional<Straight_corner> straight_corner(const std::array<double, 3
                          bounded(s_side, 0x1p-100 * s_side.hi)};
 }
 
-// In doubles. With u = 2^-53 and sides of lengths m and n, each coordinate of a side is right up to u of itself. So their
-// scalar product is wrong by at most 2.01 u m n for the sides and 3.01 u m n for its rounding, their cross product, the
-// components of which are right up to 4.01 u of both terms, by 4.01 √2 u m n, and its length by 2.51 u m n for its own
-// rounding. In squared lengths, which are stored, what the coordinates have lost is made up for: 4.01 u of themselves.
+// In doubles. With u = 2^-53 and sides of lengths m and n, each coordinate of a side has a relative error of at most u.
+// So the error of their scalar product is at most 2.01 u m n from the sides and 3.01 u m n from its own rounding; that
+// of their cross product, whose components have errors of at most 4.01 u of both terms, is 4.01 √2 u m n; and its
+// length adds 2.51 u m n from its own rounding. Stored squared lengths make up for what the coordinates have lost:
+// their relative errors are at most 4.01 u.
 inline std::optional<Straight_corner> straight_corner_in_doubles(const std::array<double, 3>& i,
                                                                  const std::array<double, 3>& j,
                                                                  const std::array<double, 3>& k)

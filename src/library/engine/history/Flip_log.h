@@ -54,14 +54,14 @@ public:
   }
 
   bool is_followed_by(Reader reader) const { return cursors_[reader].load(std::memory_order_acquire) == at_end; }
-  // By a reader that stops when it begins.
+  // Whether a reader follows that stops when the log begins.
   bool is_followed() const { return is_followed_by(INTEGERS) || is_followed_by(FACES); }
   bool is_followed_by_all() const
   {
     return is_followed_by(INTEGERS) && is_followed_by(FACES) && is_followed_by(NUMBERS);
   }
 
-  // Integers and faces do not follow from now on.
+  // From now on, integers and faces do not follow.
   void begin()
   {
     for (Reader reader : {INTEGERS, FACES})
@@ -109,7 +109,7 @@ public:
         f(part[i]);
     }
   }
-  // From the last to the first.
+  // The same from the last flip to the first.
   template <class Function>
   void for_each_unread_backwards(Reader reader, const Function& f) const
   {

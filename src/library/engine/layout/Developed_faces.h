@@ -197,7 +197,7 @@ public:
 
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-  // Beyond, it is better to lay the face out anew. Relative to the edges.
+  // Relative to the edges. Beyond this, it is better to lay the face out anew.
   static constexpr double largest_radius = 0x1p-65;
 
   std::uint32_t source(Halfedge_index h) const { return sources_[h.idx() >> 1][h.idx() & 1]; }
@@ -221,10 +221,11 @@ private:
     return {z.x().scaled(2), z.y().scaled(2), squared_norm(u), squared_norm(w), squared_norm(j - i)};
   }
 
-  // In a fraction of the time. With u = 2^-53, a difference of positions is right up to 1.01 u of itself and the radii
-  // of both. So for sides of lengths m and n, the scalar and cross products are wrong by at most 2.03 u m n for the
-  // differences, 2.01 u m n for the rounding of two products and their sum, and R (m + n + R) for the radii, which sum
-  // to R; what is left of 4.1 u and 1.01 R covers products of errors, and the rounding of the bound.
+  // The same corner in a fraction of the time. With u = 2^-53, a difference of positions is right up to 1.01 u of
+  // itself and the radii of both. So for sides of lengths m and n, the scalar and cross products are wrong by at most
+  // 2.03 u m n for the differences, 2.01 u m n for the rounding of two products and their sum, and R (m + n + R) for
+  // the radii, which sum to R; what is left of 4.1 u and 1.01 R covers products of errors, and the rounding of the
+  // bound.
   static Corner corner_in_doubles(const Vector& i, const Vector& j, const Vector& k)
   {
     const Two_doubles u = rounded_difference(i, k), w = rounded_difference(j, k), v = rounded_difference(j, i);

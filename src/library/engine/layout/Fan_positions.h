@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // Of a halfedge around its source.
+  // The place of a halfedge around its source.
   struct Place
   {
     Vector position;

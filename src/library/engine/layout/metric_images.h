@@ -205,7 +205,7 @@ public:
   Surface_lease(Lease&& lease) : Lease(std::move(lease)) {}
 };
 
-// In double-doubles with error bounds.
+// The metric in double-doubles with error bounds.
 class Double_double_metric
 {
 public:
@@ -279,7 +279,7 @@ inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const D
   return Corner_ratios<Double_disk>{at_source, Double_disk(1, 0, 0) - at_source};
 }
 
-// In doubles with error bounds.
+// The metric in doubles with error bounds.
 class Double_metric
 {
 public:
@@ -331,11 +331,11 @@ private:
   Corner_ratios<Vector> ratios_;
 };
 
-// In a ring given by the images of the rationals and of their square roots, and of coordinates, which may stay in a
-// smaller ring until they meet roots. Remembers recent results, and counts the requested quantities.
+// The metric in a ring that is given by the images of the rationals, of their square roots, and of coordinates, which
+// may stay in a smaller ring until they meet roots. Remembers recent results, and counts the requested quantities.
 //
 // Where the image rounds, scalar and cross products of sides give each number with an error relative to the sides that it
-// belongs to. Squared lengths of very different sides would cancel, and all digits of the coordinates be needed.
+// belongs to. Squared lengths of very different sides would cancel, and all digits of the coordinates would be needed.
 template <class Image>
 class Rational_metric
 {
@@ -420,7 +420,8 @@ private:
     return {Vector(scalar_product(u, vector(i, k)) / s, height), Vector(scalar_product(u, vector(k, j)) / s, -height)};
   }
 
-  // As long as twice the area. From the shorter sides, since errors are relative to the lengths of the factors.
+  // A normal as long as twice the area, from the shorter sides, since errors are relative to the lengths of the
+  // factors.
   Vector_3<Coordinate> normal(Face_index f)
   {
     const Delta_complex& c = surface_.connectivity();

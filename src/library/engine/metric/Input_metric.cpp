@@ -78,7 +78,7 @@ Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths)
       std::make_shared<const internal::Rational_lengths>(internal::Rational_lengths{std::move(squared_lengths)});
     return Input_metric::from_normalized_squared_lengths(std::move(lengths), exponent);
   };
-  // The largest is below 2^largest, and at least a quarter of it, or no length is positive.
+  // The largest length is below 2^largest and at least a quarter of that, unless no length is positive.
   long largest = (std::numeric_limits<long>::min)();
   std::size_t edge = 0;
   for (std::size_t e = 0; e < squared_lengths.size(); ++e) {
@@ -172,7 +172,7 @@ std::uint64_t Input_metric::hash() const
 
 double Input_metric::largest_size() const
 {
-  // Of the doubles as integers, and of their common denominator.
+  // The sizes of the doubles as integers, and of their common denominator.
   int above = 0, below = 0;
   const auto look_at = [&](double x) {
     if (x == 0)

@@ -37,7 +37,7 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths)
 
 namespace internal {
 
-// Of both versions of the format.
+// Reads both versions of the format.
 class Exact_gluing_reader : public Gluing_reader
 {
 public:

@@ -26,7 +26,7 @@ struct Bounded_angle
   double value = 0;
   double error = 0;
 
-  // π is not a double, but nearer than 2^-52 to one.
+  // π is within 2^-52 of a double.
   bool is_below_pi() const { return value + error < 3.1415926535897932 - 0x1p-50; }
   bool is_above_pi() const { return value - error > 3.1415926535897932 + 0x1p-50; }
   // Whether it is π, provided that it is a multiple of π; false if it is known to be below or above.
@@ -41,7 +41,7 @@ struct Bounded_angle
   }
 };
 
-// The angle of a corner from twice the scalar product of its sides and four times the area. A true area is not
+// The angle of a corner from twice the scalar product of its sides and four times the area. A true area is never
 // negative.
 inline Bounded_angle bounded_angle(const Double_with_bound& p, const Double_with_bound& four_areas)
 {

@@ -35,7 +35,7 @@ struct Rounded_numbers
   Large_vector<std::array<double, 3>> cotangents;
 };
 
-// Only refers to the engine. Its functions are queries of the engine: see there for threads and exceptions.
+// Only refers to the engine. Its functions are queries of the engine, which describes threads and exceptions.
 class Engine_numbers
 {
 public:

@@ -112,7 +112,7 @@ public:
   void flip_back(const Hinge_halfedges& around, const Forgotten& forgotten);
 
   // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
-  // of flips. Those of other functions, which are few and between queries, are followed at once. O(1).
+  // of flips. Flips of other functions, which are few and between queries, are followed at once. O(1).
   void begin_log();
   // Which flips are still to be followed. \pre `keeps_input()`
   const Flip_log& log() const;
@@ -139,7 +139,7 @@ public:
       std::vector<Hinge_halfedges> flips_;
     };
 
-    // \param most the number of logs, at most
+    // \param most the maximum number of logs
     Logs(Exact_engine& engine, std::size_t most);
     Logs(const Logs&) = delete;
     Logs& operator=(const Logs&) = delete;
@@ -151,7 +151,7 @@ public:
     std::vector<Log> logs_;
   };
 
-  // What `halfedge(f)` is for the face in which the piece lies.
+  // `halfedge(f)` of the face f in which the piece lies.
   Halfedge_index halfedge_of_face(const Triangle_piece& piece) const;
   // \param location where the vertex lies: strictly inside a face of the input, and in `piece`
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location);
@@ -237,11 +237,11 @@ private:
 
   // The number of flips per edge, which bounds the memory of the log.
   static constexpr std::size_t longest_log = 8;
-  // Crossings of the edges at a vertex: laying out shorter ones again takes no longer.
+  // The number of crossings of the edges at a vertex up to which layouts are not worth keeping.
   static constexpr std::int64_t long_star = 4;
-  // The number of flips that lay out faces for each close call and for each requested corner.
+  // How many flips may lay out faces for each close call and each requested corner.
   static constexpr std::size_t layouts_for_question = 4;
-  // Input quantities that can be laid out in some microseconds.
+  // The number of input quantities that can be laid out in a few microseconds.
   static constexpr double short_strip = 256;
 
   bool log_or_follow(const Hinge_halfedges& around);

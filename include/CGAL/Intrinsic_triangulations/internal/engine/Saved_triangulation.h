@@ -35,7 +35,7 @@ struct Saved_triangulation
   // Replaces the triangulation of an engine by this one, which a file claims to derive from the engine's input. All of
   // this is checked, exactly. The numbers stay here.
   // \pre nothing was flipped, and there is an entry for each element
-  // \exception Invalid_surface_error if it has not; then the engine can only be destroyed
+  // \exception Invalid_surface_error if the claim is false; then the engine can only be destroyed
   // \param is_known whether the numbers of a face are known to be right
   void restore(Exact_engine& engine, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
 };
@@ -43,8 +43,8 @@ struct Saved_triangulation
 // The faces with a useful bound.
 std::vector<bool> bounded_faces(const Delta_complex& complex, const std::function<double(Edge_index)>& squared_length,
                                 const std::function<double(Face_index)>& error);
-// Replaces the numbers of other faces where they are not near to the true ones. Writing a file does so, too: so it
-// stays the same when it is read and written again.
+// Replaces the numbers of the other faces where they are far from the true ones. Writing a file does the same, so a
+// file stays the same when it is read and written again.
 void mend_unbounded(const Exact_engine& engine, const std::vector<bool>& are_bounded,
                     Large_vector<double>& squared_lengths, Large_vector<std::array<double, 2>>& areas);
 

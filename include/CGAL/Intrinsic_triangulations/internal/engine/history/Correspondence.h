@@ -57,8 +57,8 @@ public:
   void catch_up(const Delta_complex& complex, const Flip_log& log,
                 const Block_runner& run = block_runner<Sequential_tag>());
 
-  // Follows the flip of the edge that the halfedges are around; to be called before the connectivity is flipped. O(1).
-  // An exception leaves everything as it was.
+  // Follows the flip of the edge that the halfedges surround; to be called before the connectivity is flipped. O(1). An
+  // exception leaves everything as it was.
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
@@ -118,7 +118,7 @@ public:
   void forget_crossings() { crossings_.clear(); }
   // The cached crossings of edges.
   const Kept_crossings& kept_crossings() const { return crossings_; }
-  // Those of all inserted vertices.
+  // The locations of all inserted vertices.
   const std::vector<Surface_point>& locations() const { return locations_; }
   // The location of an inserted vertex on the input. The coordinates are exact once they are divided by their sum.
   // \pre `is_inserted(v)`
@@ -150,10 +150,10 @@ public:
   }
 
 private:
-  // Longer walks are replaced; around most vertices, none is that long.
+  // Longer walks are replaced. Around most vertices there are none.
   static constexpr std::uint64_t longest_walk = 16;
 
-  // Walks that stay long, as if memory is short, are right, too. Few are long, so one thread replaces those that all
+  // Walks that stay long, for lack of memory, are still right. Few are long, so one thread replaces all that the
   // threads have found, with a single table.
   void shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run);
   void shorten_walk(Halfedge_index h);

@@ -81,7 +81,7 @@ public:
       result = next_input_halfedge(correspondence_, end_vertex_, result);
     return result;
   }
-  // The same in O(1). \param around of the input
+  // The same in O(1). \param around the rotation system of the input
   Halfedge_index end(const Rotation_system& around) const
   {
     return !correspondence_.is_inserted(end_vertex_)

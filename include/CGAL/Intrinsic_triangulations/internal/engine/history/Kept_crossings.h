@@ -108,7 +108,7 @@ public:
   // \param along the input halfedge along ij, if there is one
   Flipped flipped(const Delta_complex& complex, const Normal_coordinates& coordinates, const Hinge_halfedges& around,
                   Halfedge_index along) const;
-  // Must be called with that at the flip.
+  // Must be called with the result of flipped() at the flip.
   void flip(Edge_index e, Flipped flipped);
   // Forgets the sequence of e, which crosses this many input edges.
   void forget(Edge_index e, std::int64_t number);
@@ -167,7 +167,7 @@ private:
 
   mutable std::atomic<Table*> table_{nullptr};
   mutable std::atomic<std::size_t> total_{0};
-  mutable std::atomic<std::size_t> enough_{0}; // the number at which it is time for all; 0 if not computed yet
+  mutable std::atomic<std::size_t> enough_{0}; // the number that makes it time for all; 0 if not yet known
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

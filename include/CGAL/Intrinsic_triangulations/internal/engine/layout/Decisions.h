@@ -19,7 +19,7 @@ struct Exact_decision
 {
   Sign sign;
   Stage stage;              // that decided
-  bool is_rational = false; // all roots in the number are
+  bool is_rational = false; // whether all roots in the number are
 };
 
 struct Decisions
