@@ -46,7 +46,7 @@ inline std::pair<double, std::size_t> smallest_angle(const std::array<std::array
   return result;
 }
 
-// It is known where the surface is below each face, and where its vertices are, and others that are added.
+// Knows where the surface lies below each face, and where its vertices and added ones are.
 class Straight_map
 {
 public:
@@ -80,7 +80,7 @@ public:
   }
   void move_vertex(std::uint32_t v, const Point& p) { points_[v] = p; }
 
-  // How far points of a face are from its images, if its vertices are where they were, without the rounding.
+  // How far points of a face are from their images, if its vertices have not moved, without rounding.
   Distance distance_on(Face_index f) const
   {
     Distance result;
@@ -122,7 +122,7 @@ public:
     return between(positions_[complex_.target(complex_.halfedge(e)).idx()], 1);
   }
 
-  // The surface in a face, as triangles.
+  // The surface in a face, as triangles in space.
   std::vector<Corners> surface_in(Face_index f)
   {
     if (overlay_faces_.empty()) {
@@ -163,7 +163,7 @@ private:
   const Common_subdivision& subdivision_;
   const Overlay& overlay_;
   const Delta_complex& complex_;
-  std::vector<Point> positions_; // of the vertices of the overlay, which those of the triangulation come first of
+  std::vector<Point> positions_; // of the vertices of the overlay; those of the triangulation come first
   std::vector<Point> points_;    // of the vertices of the triangles
   std::vector<std::vector<Overlay::Face>> overlay_faces_; // in each face
   double largest_coordinate_ = 0;

@@ -18,7 +18,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Refinement leaves the rest of the deviation to us.
+// The part of the deviation that changes use if it suffices.
 static constexpr double usual_part = 0.8;
 
 static constexpr std::pair<int, double> no_gain{(std::numeric_limits<int>::min)(), 0};
@@ -61,7 +61,7 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
 
 Straight_map::Distance Thin_part_merger::operator()()
 {
-  // The thinnest last, which are looked at first.
+  // The thinnest come last, and are looked at first.
   std::vector<std::pair<double, std::uint32_t>> bad;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     if (maximum_deviation_ > 0 && is_bad(t))
@@ -71,7 +71,7 @@ Straight_map::Distance Thin_part_merger::operator()()
     to_look_at_.push_back(t);
     is_waiting_[t] = true;
   }
-  // Where nothing improves, short sides are contracted nevertheless: what is left is coarser.
+  // Where nothing else improves, short sides are contracted nevertheless, which leaves coarser triangles.
   std::vector<std::uint32_t> stuck;
   double fraction = 0;
   for (double done = 1; !to_look_at_.empty() || !stuck.empty(); ++done) {
@@ -111,7 +111,7 @@ bool Thin_part_merger::is_thin(std::uint32_t t, double angle) const
   return angle < thin_angle_ && !(mesh_.is_kept[t] && angle > smallest_corner);
 }
 
-// Whether a triangle is thin, or has a side with too many others.
+// Whether a triangle is thin, or has a side with too many other triangles.
 bool Thin_part_merger::is_bad(std::uint32_t t) const
 {
   const Triangle& corners = mesh_.triangles[t];
@@ -179,7 +179,7 @@ void Thin_part_merger::replace(std::uint32_t t, const Triangle& corners)
       at_vertex_[v].push_back(t);
 }
 
-// It gets corners later, and stands for nothing.
+// Adds a triangle that gets its corners later, and stands for nothing.
 // \param beside another triangle of the same face
 std::uint32_t Thin_part_merger::add_triangle(std::uint32_t beside)
 {
@@ -263,7 +263,7 @@ Straight_map::Distance Thin_part_merger::largest_distance()
   };
   if (changed.empty())
     return result;
-  // Further on where the bound cannot be kept.
+  // Increases the distance where the bound cannot be kept.
   double distance = (std::max)(result.value, most_ > 0 ? usual_part * most_ : map_.largest_coordinate() * 0x1p-20);
   for (const double step = (most_ - distance) / 4; !are_all_near(distance);)
     distance = distance < most_ ? (std::min)(distance + step, most_) : distance * 1.25;
@@ -282,8 +282,8 @@ static std::array<double, 3> normal_of(const Space_triangle& p)
   return result;
 }
 
-// How many thin triangles there are less, and how much larger the smallest angle is; less than anything if a triangle
-// turns over. The normals of thin and of low ones mean nothing.
+// How many fewer thin triangles there are, and by what factor the smallest angle grows; the least gain of all if a
+// triangle turns over. The normals of thin and of low triangles mean nothing.
 // \param before where the triangles were
 Thin_part_merger::Gain Thin_part_merger::gain(const Change& change, const std::vector<Space_triangle>& before) const
 {
@@ -294,7 +294,7 @@ Thin_part_merger::Gain Thin_part_merger::gain(const Change& change, const std::v
     return angle >= thin_angle_ && std::hypot(normal[0], normal[1], normal[2]) >= lowest_with_normal_ * longest;
   };
   double old_angle = 180, new_angle = 180;
-  int number_of_thin = 0; // how many there are less
+  int number_of_thin = 0; // how many fewer there are
   std::vector<bool> had_normal;
   std::vector<Point> normals;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -398,7 +398,7 @@ void Thin_part_merger::add_face(std::uint32_t t, Face_index f)
   stand_for_face_[f.idx()].push_back(t);
 }
 
-// Where its triangles are.
+// Where the triangles of a change are.
 std::vector<Space_triangle> Thin_part_merger::places(const Change& change) const
 {
   std::vector<Space_triangle> result;
@@ -415,7 +415,7 @@ bool Thin_part_merger::try_to_make(Change& change)
   return true;
 }
 
-// Triangles should not be chosen farther away than needed.
+// Prefers triangles that are no farther away than needed.
 bool Thin_part_merger::is_near_enough(Change& change)
 {
   return is_within(change, usual_part * most_) || is_within(change, most_);
@@ -447,8 +447,8 @@ bool Thin_part_merger::improve(std::uint32_t t)
   return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move_to_mean(v); });
 }
 
-// First tries all that leaves fewer thin triangles, then the contraction of a short side that leaves the fewest; if need
-// be, one that turns triangles which are lower than the deviation.
+// First tries every step that leaves fewer thin triangles, then the contraction of a short side that leaves the fewest;
+// if need be, one that turns over triangles that are lower than the deviation.
 bool Thin_part_merger::force(std::uint32_t t)
 {
   const Triangle corners = mesh_.triangles[t];
@@ -481,7 +481,7 @@ bool Thin_part_merger::force(std::uint32_t t)
 // of the edge. (T. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, "Topology preserving edge contraction", 1999.)
 bool Thin_part_merger::is_contractible(std::uint32_t from, std::uint32_t to)
 {
-  // Marked edges stay where they are, but for parts that are shorter than the deviation.
+  // Marked edges stay where they are, except for parts that are shorter than the deviation.
   if (length(from, to) > maximum_deviation_ && !marked_[from].empty() &&
       !(marked_[from].size() == 2 && is_marked(from, to)))
     return false;
@@ -491,7 +491,7 @@ bool Thin_part_merger::is_contractible(std::uint32_t from, std::uint32_t to)
   const std::size_t number = number_of_triangles_at(from, to);
   if (is_fixed(from) || both.size() != number || number > 2)
     return false;
-  for (std::uint32_t v : {from, to}) // an edge of three triangles is no surface, but may become one
+  for (std::uint32_t v : {from, to}) // an edge of three triangles is not part of a surface, but may become so
     for (std::uint32_t w : v == from ? a : b)
       if (number_of_triangles_at(v, w) > 2)
         return false;
@@ -614,7 +614,7 @@ bool Thin_part_merger::move_to_mean(std::uint32_t v)
   return move(v, {mean}, {1, 0.5, 0.25});
 }
 
-// Moves a vertex toward a neighbor or away from it; one of a line along that line.
+// Moves a vertex toward a neighbor or away from it; a vertex of a line moves along the line.
 bool Thin_part_merger::move_along_edges(std::uint32_t v)
 {
   const bool is_on_line = marked_[v].size() == 2;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What is thinner than the largest deviation is merged in straight triangles.
+// Merges parts of straight triangles that are thinner than the largest deviation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_THIN_PART_MERGER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_THIN_PART_MERGER_H
@@ -39,8 +39,8 @@ struct Straight_triangles
 //   corner near it.
 // - Where four triangles meet at an edge, as around a thin tube, it separates the two sheets. Where three short edges run
 //   around a tube, it cuts the tube and closes both ends.
-// - It removes pieces that then lie beside others, and makes rods of wires that do not. A component that came apart into
-//   neighbors along a line becomes one rod.
+// - It removes pieces that then lie beside others, and turns wires that do not into rods. A component that came apart
+//   into neighbors along a line becomes one rod.
 //
 // Each triangle stands for faces of the triangulation: each point of it is near one of them, and each of their points is
 // near one of the triangles that stand for that face. At first, a triangle stands for its own face.
@@ -58,14 +58,14 @@ public:
   const std::vector<std::uint32_t>& images() const { return images_; }
   std::size_t number_of_removed_pieces() const { return number_of_removed_pieces_; }
   std::size_t number_of_rods() const { return number_of_rods_; }
-  // How many components there are more, as components of the surface came apart.
+  // How many more components there are because components of the surface came apart.
   std::size_t number_of_new_components() const;
   // How many edges of the border were replaced by two.
   std::size_t number_of_bent_border_edges() const { return number_of_bent_border_edges_; }
 
 private:
   using Point = std::array<double, 3>;
-  // Triangles that get other corners; equal ones if they vanish.
+  // Triangles that get other corners: equal ones if they vanish.
   struct Change
   {
     std::vector<std::uint32_t> triangles;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Thin_part_merger: thin tubes, and pieces that are left.
+// Definitions of Thin_part_merger: thin tubes, and the pieces that remain.
 
 #include "Thin_part_merger.h"
 
@@ -34,8 +34,8 @@ void Thin_part_merger::move_to_copy(std::uint32_t v, const std::vector<std::uint
     }
 }
 
-// The triangles around v from one of them counterclockwise to the edge between v and another vertex; none if the border is
-// between.
+// The triangles around v from one of them counterclockwise to the edge between v and another vertex; none if the border
+// lies between.
 std::vector<std::uint32_t> Thin_part_merger::fan_between(std::uint32_t first, std::uint32_t v, std::uint32_t to) const
 {
   std::vector<std::uint32_t> result{first};
@@ -104,8 +104,9 @@ bool Thin_part_merger::cut_tube(std::uint32_t v, std::uint32_t w)
   return false;
 }
 
-// An edge of four triangles is two that coincide, as a thin part of the surface is between them. The triangles around v
-// from one of them to the next one get a copy of v: the surface is cut along both edges, and closed again on each side.
+// An edge of four triangles is two edges that coincide, because a thin part of the surface lies between them. The
+// triangles around v from one of them to the next one get a copy of v: the surface is cut along both edges, and closed
+// again on each side.
 bool Thin_part_merger::separate(std::uint32_t v, std::uint32_t w)
 {
   if (is_fixed(v))
@@ -128,7 +129,7 @@ bool Thin_part_merger::separate(std::uint32_t v, std::uint32_t w)
   return false;
 }
 
-// Also at its neighbors.
+// Separates fans at a vertex and at its neighbors.
 void Thin_part_merger::separate_fans_around(std::uint32_t v)
 {
   separate_fans(v);
@@ -157,7 +158,7 @@ void Thin_part_merger::separate_fans(std::uint32_t v)
   }
 }
 
-// The triangles that are connected, by one of their vertices.
+// The connected pieces, each by one of its vertices.
 std::map<std::uint32_t, std::vector<std::uint32_t>> Thin_part_merger::pieces() const
 {
   Disjoint_sets sets(map_.points().size());
@@ -192,8 +193,8 @@ bool Thin_part_merger::is_bad_piece(const std::vector<std::uint32_t>& piece) con
                                                    mesh_.triangles[piece[1]].begin()));
 }
 
-// A few connected triangles: some of them are bad, two have the same corners, or their component came apart. More
-// triangles come first. None has a fixed vertex.
+// Pieces of a few triangles, some of which are bad, or two of which have the same corners, or whose component came
+// apart. Pieces of more triangles come first. None has a fixed vertex.
 std::vector<std::vector<std::uint32_t>> Thin_part_merger::small_pieces() const
 {
   constexpr std::size_t most_triangles = 64;
@@ -215,8 +216,8 @@ std::vector<std::vector<std::uint32_t>> Thin_part_merger::small_pieces() const
   return result;
 }
 
-// Removes such pieces if they lie along others that stay. Of those that do not, neighbors become one rod, or each bad one
-// a rod of its own.
+// Removes such pieces if they lie along others that stay. Of the others, neighbors become one rod, or each bad one
+// becomes a rod of its own.
 void Thin_part_merger::remove_pieces()
 {
   const std::vector<std::vector<std::uint32_t>> pieces = small_pieces();
@@ -275,7 +276,7 @@ void Thin_part_merger::remove_pieces()
   }
 }
 
-// Its vertices get the place of the nearest one of the triangles that stand for its faces then.
+// Its vertices move to the nearest vertex of the triangles that then stand for its faces.
 // \param number_of_triangles those of the piece, which come first
 void Thin_part_merger::remove_piece(const Change& change, std::size_t number_of_triangles)
 {
@@ -293,7 +294,7 @@ void Thin_part_merger::remove_piece(const Change& change, std::size_t number_of_
 }
 
 // Triangles around a segment: rings of three vertices, turned by 60 degrees one after the other. Each angle is above 25
-// degrees. Those at the ends are at most radius / 2 beyond.
+// degrees. The points at the ends are at most radius / 2 beyond the segment.
 static std::pair<std::vector<std::array<double, 3>>, std::vector<Straight_triangles::Triangle>>
 rod_around(const std::array<double, 3>& p, const std::array<double, 3>& q, double radius)
 {
@@ -339,7 +340,7 @@ rod_around(const std::array<double, 3>& p, const std::array<double, 3>& q, doubl
 // Replaces a piece that is a wire, or a point, by a rod around it that is as thick as the distance allows.
 bool Thin_part_merger::replace_by_rod(const std::vector<std::uint32_t>& piece)
 {
-  // Of a wire, the point that is farthest from any other one is an end.
+  // In a wire, the point farthest from any other point is an end.
   std::uint32_t first = mesh_.triangles[piece[0]][0], last = first;
   for (std::uint32_t* end : {&first, &last}) {
     const std::uint32_t from = end == &first ? last : first;

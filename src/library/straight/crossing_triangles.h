@@ -15,8 +15,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The pairs of triangles that have more in common than their common corners and edges. Exact. Triangles without area and
-// those with the same corners as others are left out.
+// The pairs of triangles that share more than their common corners and edges. Exact. Triangles without area and those
+// with the same corners as others are left out.
 // \param go_on is called for each triangle
 std::vector<std::array<std::uint32_t, 2>> crossing_triangles(const std::vector<std::array<double, 3>>& points,
                                                              const std::vector<std::array<std::uint32_t, 3>>& triangles,

@@ -52,8 +52,8 @@ Numbers near(const Space_box& box, const std::vector<Space_box>& boxes, const Nu
   return result;
 }
 
-// Calls a function for each box with those of the others within a distance, until it returns false.
-// \param before the others that come into question
+// Calls a function for each box with the others within a distance, until it returns false.
+// \param before the others that may be near
 template <class Visit>
 bool visit_near(Numbers::iterator begin, Numbers::iterator end, const std::vector<Space_box>& boxes,
                 const std::vector<Space_box>& others, const Numbers& before, double distance, const Visit& visit)

@@ -29,10 +29,10 @@ struct Space_box
 std::vector<std::vector<std::uint32_t>> near_boxes(const std::vector<Space_box>& boxes,
                                                    const std::vector<Space_box>& others, double distance);
 
-// Whether each point of the triangles is within a distance of one of the others. They are divided for that, down to
-// points; "no" is also the answer where too many parts would be needed. Everything is rounded:
-// callers give a little less than the distance that they prove.
-// \param pairs gets pairs of a triangle and another one, by their numbers, that suffice to see it
+// Whether each point of the triangles is within a distance of one of the others. For this, triangles are divided, down
+// to points; the answer is also "no" where too many parts would be needed. Everything is rounded: callers give a little
+// less than the distance that they prove.
+// \param pairs receives pairs of a triangle and another one, by their numbers, that suffice to show it
 bool are_near(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
               std::vector<std::array<std::uint32_t, 2>>& pairs);
 

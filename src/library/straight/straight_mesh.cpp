@@ -80,7 +80,7 @@ private:
           number_of_new_border_parts_ += 2;
       }
   }
-  // From its source to before its target.
+  // The points from the source of h to before its target.
   std::vector<std::uint32_t> points_along(Halfedge_index h) const
   {
     const Edge_index e = complex_.edge(h);
@@ -89,7 +89,7 @@ private:
       return {complex_.source(h).idx(), divisions_[e.idx()][first], divisions_[e.idx()][1 - first]};
     return {complex_.source(h).idx()};
   }
-  // One, or more if sides are loops.
+  // One triangle, or more if sides are loops.
   std::vector<Triangle> triangles_in(Face_index f) const
   {
     Halfedge_index h = complex_.halfedge(f);
@@ -150,7 +150,7 @@ private:
     find_marked_edges(triangles.marked_edges);
   }
 
-  // Numbers them: vertices of the triangulation first, then copies that triangles have.
+  // Numbers the points: first vertices of the triangulation, then the copies that triangles have.
   void find_points()
   {
     std::vector<bool> is_used(map_.points().size());
@@ -174,7 +174,7 @@ private:
         v = numbers_[v];
   }
 
-  // For each intrinsic face.
+  // For each intrinsic face, the input face that has the largest part of it.
   std::vector<Face_index> largest_input_faces() const
   {
     std::vector<Face_index> result(complex_.number_of_faces());
@@ -182,7 +182,7 @@ private:
     for (Overlay::Face f : overlay_.faces()) {
       const Overlay::Halfedge first = overlay_.halfedge(f);
       const Point p = map_.position(overlay_.target(first));
-      Point q = p, sum{}; // of the areas of the triangles at p, as a vector
+      Point q = p, sum{}; // the sum of the areas of the triangles at p, as a vector
       for (Overlay::Halfedge h = overlay_.next(first); h != first; h = overlay_.next(h)) {
         const Point& r = map_.position(overlay_.target(h));
         for (std::size_t i = 0; i < 3; ++i) {
@@ -196,7 +196,7 @@ private:
       if (area > largest[face]) {
         largest[face] = area;
         result[face] = overlay_.input_face(f);
-      } else if (!result[face].is_valid()) { // of a sum that is not a number
+      } else if (!result[face].is_valid()) { // the area is not a number
         result[face] = overlay_.input_face(f);
       }
     }
@@ -237,7 +237,7 @@ private:
     std::sort(mesh_.marked_edges.begin(), mesh_.marked_edges.end());
   }
 
-  // Regions that lie along each other without a marked edge, as what was between them has vanished, have a line, too.
+  // Where the parts between two regions have vanished, these meet without a marked edge, but have a line, too.
   void find_lines()
   {
     std::vector<std::array<std::uint32_t, 3>> sides; // with the region
@@ -271,7 +271,7 @@ private:
     mesh_.lines.assign(lines.begin(), lines.end());
   }
 
-  // Those that vanished have no number.
+  // Regions that vanished have no number.
   void number_regions()
   {
     std::vector<std::uint32_t> used = mesh_.regions;
