@@ -111,7 +111,7 @@ struct Tufted_cover
     double length;        ///< its length
     std::uint32_t face;   ///< a face of the input in which it lies
   };
-  /// the edges that are not in the cover because all their faces have zero area, as those of flat spikes
+  /// the edges that are not in the cover because all their faces have zero area, such as those of flat spikes
   std::vector<Flat_edge> flat_edges;
 };
 

@@ -25,7 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// exact predicates, and overlaid with the input. Components come side by side. Without cones and handles, a surface
 /// with one border is not cut.
 ///
-/// If triangles turn over, or the metric does not converge, and cones may be chosen, more of them are.
+/// If triangles turn over or the metric does not converge, more cones are chosen where that is allowed.
 ///
 /// \param triangulation, np as for `discrete_conformal_metric()`
 /// \exception Numerical_error also if triangles turn over although the cones were given: the message names the first face

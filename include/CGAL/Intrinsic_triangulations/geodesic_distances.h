@@ -35,8 +35,8 @@ struct Geodesic_distances
   std::uint64_t number_of_ways = 0; ///< how often a bundle of straight lines was followed to the next face
   bool is_complete = true;          ///< whether all were followed; if not, distances may be as large as along edges
   static constexpr std::uint32_t no_source = std::uint32_t(-1); ///< in `nearest_sources`
-  /// only of `geodesic_distances_from()`: for each vertex, the number of the nearest `Geodesic_source`, or `no_source` if
-  /// no straight way leads there
+  /// set by `geodesic_distances_from()` only: for each vertex, the number of the nearest `Geodesic_source`, or
+  /// `no_source` if no straight way leads there
   std::vector<std::uint32_t> nearest_sources;
 };
 

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Shortest paths on triangles that are no surface.
+// Shortest paths on triangles that need not form a surface.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_ON_TRIANGLES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_ON_TRIANGLES_H

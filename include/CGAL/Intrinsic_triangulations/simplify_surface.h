@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Fewer vertices: another surface, with a proven bound of how much any distance changes.
+// Fewer vertices: another surface, with a proven bound on the change of any distance.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFY_SURFACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFY_SURFACE_H
@@ -39,11 +39,11 @@ struct Metric_change
 /// \brief how many vertices of a simplified surface were kept, by the reason.
 struct Kept_vertices
 {
-  std::size_t by_request = 0; ///< marked as kept, or where one, or three and more constrained edges end
+  std::size_t by_request = 0; ///< marked as kept, or an end of one, or of three or more constrained edges
   std::size_t as_corners = 0; ///< on a border or a line of constrained edges, with one triangle on a side of it
-  std::size_t for_gluing = 0; ///< with a loop, less than three triangles around it, or a border of two edges
+  std::size_t for_gluing = 0; ///< with a loop, fewer than three triangles around it, or a border of two edges
   std::size_t by_bound = 0;   ///< their removal would change distances too much, or would give no triangles
-  std::size_t by_number = 0;  ///< not asked for, as few enough vertices were left
+  std::size_t by_number = 0;  ///< not asked for, because few enough vertices were left
   std::size_t isolated = 0;   ///< without a face
 };
 
@@ -56,7 +56,8 @@ struct Kept_vertices
 /// without a bound, in their last digits.
 struct Simplified_surface
 {
-  /// the new surface, with a Delaunay triangulation. Its input are the triangles that `map` and all below refer to
+  /// the new surface, with a Delaunay triangulation. Its input consists of the triangles that `map` and everything
+  /// below refer to
   Intrinsic_triangulation<Filtered_edge_length_traits> triangulation;
   /// for each vertex of the new surface, the vertex of the given one that it is
   std::vector<Vertex_index> kept;
@@ -111,14 +112,15 @@ Simplified_surface simplify(const Exact_engine& engine, const Simplification_opt
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{maximum_change}
-///     \cgalParamDescription{by which part a distance may change: `shrink >= 1 / (1 + maximum_change)` and
-///       `stretch <= 1 + maximum_change`. Values below 10<sup>-12</sup> count as 10<sup>-12</sup>, which rounding takes.
-///       Faces so thin that doubles do not describe them stay as they are; beside them, rounding one length comes on top}
+///     \cgalParamDescription{the fraction by which a distance may change: `shrink >= 1 / (1 + maximum_change)` and
+///       `stretch <= 1 + maximum_change`. Values below 10<sup>-12</sup> count as 10<sup>-12</sup>, which rounding
+///       takes. Faces so thin that doubles do not describe them stay as they are; beside them, the rounding of one
+///       length is added}
 ///     \cgalParamType{`double`, not negative}
 ///     \cgalParamDefault{0.05, and no limit if `number_of_vertices` is given}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_vertices}
-///     \cgalParamDescription{no more vertices are removed when so many are left}
+///     \cgalParamDescription{no more vertices are removed when this many are left}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd

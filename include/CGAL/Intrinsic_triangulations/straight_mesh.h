@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The faces of an intrinsic triangulation as straight triangles in space, and what they are worth.
+// The faces of an intrinsic triangulation as straight triangles in space, and how good these are.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_STRAIGHT_MESH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_STRAIGHT_MESH_H
@@ -25,17 +25,17 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief the faces of an intrinsic triangulation as straight triangles between their corners in space.
 ///
-/// That is another surface, of which nothing is known but what stands here.
+/// This is another surface, about which nothing is known except what is recorded here.
 struct Straight_mesh
 {
   std::vector<std::array<double, 3>> points; ///< of the vertices, rounded where they were inserted
   /// for each vertex of the triangulation, its point. They are the same in number and order unless vertices are merged
   std::vector<std::uint32_t> points_of_vertices;
-  std::vector<Vertex_index> merged_vertices; ///< those that have the point of another one
+  std::vector<Vertex_index> merged_vertices; ///< vertices that share the point of another one
   std::size_t number_of_removed_pieces = 0;  ///< how many connected pieces were left out that lie along others
-  /// how many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows
+  /// how many pieces without thickness lie along no others, and became rods that are as thick as the deviation allows
   std::size_t number_of_rods = 0;
-  /// how many components there are more, as parts of the surface that are joined by thin ones alone came apart
+  /// how many more components there are because parts of the surface that only thin ones join came apart
   std::size_t number_of_new_components = 0;
   /// the faces in order; those with loops are several
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -51,26 +51,27 @@ struct Straight_mesh
   std::vector<std::uint32_t> lines;
   std::uint32_t number_of_lines = 0; ///< the number of lines
 
-  /// \brief neither surface is farther than this from the other at any point. It is proven, rounding included. Beyond
-  /// `maximum_deviation` if the triangulation has faces that are farther from their triangles
+  /// \brief neither surface is farther than this from the other at any point. It is proven, rounding included. It
+  /// exceeds `maximum_deviation` if the triangulation has faces that are farther from their triangles
   double deviation = 0;
-  std::array<double, 3> deviation_place{}; ///< where on the surface that distance is attained, nearly
+  std::array<double, 3> deviation_place{}; ///< where on the surface this distance is approximately attained
 
   double minimum_angle = 180; ///< the smallest angle of the triangles, in degrees
   std::vector<std::uint32_t>
     thin_triangles; ///< those with an angle below the given bound; first those not at sharp corners
   /// how many of them have it between two marked edges, where every mesh has that angle
   std::size_t number_of_sharp_corners = 0;
-  /// a larger maximum deviation, at most 64 times the given one, with which the triangles are good, as was tried; 0 if they
-  /// are good, or there is none
+  /// a larger maximum deviation, at most 64 times the given one, with which the triangles were found to be good; 0 if
+  /// they are good already, or none was found
   double sufficient_deviation = 0;
 
-  /// edges of the triangulation whose ends are the same. Two points more make a triangle of each, and several of its faces
+  /// edges of the triangulation whose ends are the same. Two more points make each a triangle, and divide the faces
+  /// beside it
   std::vector<Edge_index> loops;
-  std::vector<Edge_index> multiple_edges;     ///< edges that have both ends in common with one before, other than loops
+  std::vector<Edge_index> multiple_edges;     ///< edges that share both ends with an earlier one, other than loops
   std::size_t number_of_new_border_edges = 0; ///< how many border edges there are that the surface does not have
   /// with `maximum_deviation`, the pairs of triangles that have more in common than their common corners and edges, as
-  /// decided exactly. Those of the surface stay, and others arise where its parts are nearer to each other than that
+  /// decided exactly. Those of the surface remain, and others arise where its parts are nearer to each other than that
   std::vector<std::array<std::uint32_t, 2>> crossing_triangles;
   Surface_report surface; ///< what `examine_polygons()` finds in the triangles: edges of three triangles, for instance
 
@@ -98,7 +99,8 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief makes straight triangles of the faces of an intrinsic triangulation, for programs that know no others.
+/// \brief makes straight triangles of the faces of an intrinsic triangulation, for programs that know no other
+/// triangles.
 ///
 /// The distance from the surface is the maximum of |x − φ(x)| for the map φ that is linear on each intrinsic face. It is
 /// attained at a vertex of the overlay: x − φ(x) is linear on each of its faces, as these lie in a plane of the input. Where
@@ -142,7 +144,7 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief returns a sentence about what makes straight triangles no surface, with the numbers and the first places.
+/// \brief returns a sentence that says why straight triangles are not a surface, with the numbers and the first places.
 /// \param mesh the triangles
 /// \return for example "edges 17 and 18 of the triangulation both join vertices 3 and 4 at (0, 0, 1), and ...". Empty if
 ///   `mesh.is_surface()`. Complexity: constant.

@@ -78,7 +78,7 @@ struct Gap
 struct Surface_report
 {
   /// one entry per defect that occurs, in the order of `Invalid_surface_error::Defect`; but vertices and edges that are
-  /// out of range are two.
+  /// out of range have one each.
   std::vector<Finding> findings;
   std::size_t number_of_vertices = 0;     ///< points, referenced or not
   std::size_t number_of_faces = 0;        ///< polygons, valid or not
