@@ -16,7 +16,7 @@ import pytest
 import intrinsic_triangulations as it
 
 MANUAL = os.path.join(os.path.dirname(__file__), "..", "..", "doc", "python.md")
-MODULES = ("_files", "_geodesics", "_heat", "_laplacian", "_mesh", "_simplification", "_subdivision", "_triangulation", "_vectors", "_writing")
+MODULES = ("_elements", "_files", "_geodesics", "_heat", "_laplacian", "_mesh", "_simplification", "_subdivision", "_triangulation", "_vectors", "_writing")
 
 
 def test_the_examples_of_the_manual():
@@ -71,7 +71,8 @@ def public_objects():
         thing = getattr(it, name)
         yield name, thing
         if inspect.isclass(thing):
-            for member, value in vars(thing).items():
+            own = (cls for cls in thing.__mro__ if cls.__module__.startswith("intrinsic_triangulations."))
+            for member, value in (item for cls in own for item in vars(cls).items()):
                 if not member.startswith("_") and (callable(value) or isinstance(value, (property, classmethod))):
                     yield f"{name}.{member}", value
 

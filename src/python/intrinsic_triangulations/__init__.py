@@ -36,9 +36,10 @@ from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_dist
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian, solve_poisson
 from ._lines import SurfaceLine, borders_of_cells, isolines, offset_curves, sides_of_curve, signed_distances
 from ._mesh import border_edges, border_vertices, component_labels, cotan_laplacian, face_areas, vertex_areas
+from ._reports import FlipReport, RefinementReport, StraightMesh, VerificationReport
 from ._simplification import DistanceIntervals, SimplifiedDistances, SimplifiedSurface
 from ._subdivision import CommonSubdivision
-from ._triangulation import FlipReport, RefinementReport, StraightMesh, Triangulation, VerificationReport
+from ._triangulation import Triangulation
 from ._vectors import MeshVectorHeatSolver
 from ._view import Page, view
 from ._writing import write_mesh

@@ -10,127 +10,20 @@ from __future__ import annotations
 import copy
 import math
 import os
-from typing import Any, Dict, Literal, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Literal, Mapping, Optional, Union
 
 import numpy
-import scipy.sparse
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._conformal import Boundary, ConformalMap, conformal_map
-from ._documented import documented
+from ._elements import Elements
 from ._errors import InvalidArgumentError, reading, writing
-from ._laplacian import Mass
+from ._reports import FlipReport, RefinementReport, StraightMesh, VerificationReport
 from ._simplification import SimplifiedSurface
-from ._subdivision import CommonSubdivision
 
 
-@documented
-class FlipReport(NamedTuple):
-    """The result of `Triangulation.flip_to_delaunay`."""
-
-    is_delaunay: bool
-    """Whether every edge that is not constrained is Delaunay; False if `max_flips` did not suffice."""
-    flips: int
-    """The number of flips."""
-    tests: int
-    """The number of Delaunay tests."""
-
-
-@documented
-class VerificationReport(NamedTuple):
-    """The result of `Triangulation.verify`."""
-
-    is_delaunay: bool
-    """Whether all edges are Delaunay, and all faces are triangles with the right orientation."""
-    tests: int
-    """The number of edges tested."""
-    ties: int
-    """The number of edges whose opposite angles sum to exactly π."""
-    not_delaunay: numpy.ndarray
-    """The numbers of the edges whose opposite angles sum to more than π."""
-    inverted: numpy.ndarray
-    """The numbers of the faces with the wrong orientation; always empty."""
-
-
-@documented
-class RefinementReport(NamedTuple):
-    """The result of `Triangulation.refine`."""
-
-    is_refined: bool
-    """Whether all faces meet the criteria."""
-    insertions: int
-    """The number of vertices inserted into faces."""
-    segment_splits: int
-    """The number of vertices inserted on edges."""
-    flips: int
-    """The number of flips."""
-    unrefined: numpy.ndarray
-    """The numbers of the faces that do not meet the criteria."""
-    reasons: numpy.ndarray
-    """(u,) array of int8: the reason for each of them, as its position among the keys of `number_by_reason`."""
-    number_by_reason: Dict[str, int]
-    """How many there are: "cone", "small_input_angle", "beside_small_input_angle", "unrepresentable", "too_small",
-    "whole_edge", "budget"."""
-    minimum_size: float
-    """The smallest size, given or chosen."""
-    is_finished: bool
-    """Whether no more vertices would help; False if `max_insertions` did not suffice."""
-
-
-@documented
-class StraightMesh(NamedTuple):
-    """The result of `Triangulation.straight_mesh`: another surface, of which nothing is known but what stands here."""
-
-    points: numpy.ndarray
-    """(n, 3) array: the positions of the vertices."""
-    points_of_vertices: numpy.ndarray
-    """(v,) array of int64: the point of each vertex of the triangulation, the same in number unless vertices are merged."""
-    merged_vertices: numpy.ndarray
-    """The numbers of the vertices that have the point of another one."""
-    triangles: numpy.ndarray
-    """(t, 3) array of int64: the faces with three different corners, in order."""
-    faces: numpy.ndarray
-    """(t,) array of int64: the face of the triangulation that each triangle is."""
-    input_faces: numpy.ndarray
-    """(t,) array of int64: the face of the input that covers most of each triangle."""
-    regions: numpy.ndarray
-    """(t,) array of int64: the number of the region of each triangle. Marked edges separate regions."""
-    marked_edges: numpy.ndarray
-    """(e, 2) array of int64: the ends of the marked edges and of those of the border."""
-    lines: numpy.ndarray
-    """(e,) array of int64: the number of the line of each of them: connected edges with the same regions beside them."""
-    deviation: float
-    """No point of either surface is farther than this from the other one: proven, rounding included."""
-    deviation_place: numpy.ndarray
-    """(3,) array: where on the surface that distance is attained, nearly."""
-    minimum_angle: float
-    """The smallest angle of the triangles, in degrees."""
-    thin_triangles: numpy.ndarray
-    """The numbers of the triangles with an angle below `thin_angle`; first those that are not at sharp corners."""
-    sharp_corners: int
-    """How many of them have it between two marked edges, where every mesh has that angle."""
-    sufficient_deviation: float
-    """A larger maximum deviation with which the triangles are good, as was tried; 0 if they are, or there is none."""
-    loops: numpy.ndarray
-    """The edges of the triangulation whose ends are the same. Two points more make a triangle of each."""
-    multiple_edges: numpy.ndarray
-    """The edges of the triangulation that have both ends in common with one before."""
-    is_surface: bool
-    """Whether the triangles are a manifold, without other holes than the surface has and without doubled triangles."""
-    message: str
-    """What makes them no surface, in words."""
-    removed_pieces: int
-    """How many connected pieces were left out that lie along others."""
-    rods: int
-    """How many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows."""
-    new_components: int
-    """How many components there are more than the surface has, as thin parts between them vanished."""
-    crossing_triangles: numpy.ndarray
-    """With maximum_deviation, the pairs of triangles that have more in common than their common corners and edges."""
-
-
-class Triangulation:
+class Triangulation(Elements):
     """A triangulation of a surface in space, or of one given by lengths.
 
     Edges are straight lines on the surface: flips change the triangulation, but not the surface. Every decision is
@@ -352,69 +245,6 @@ class Triangulation:
         points.flags.writeable = False
         return cls._of(surface, points)
 
-    def __repr__(self) -> str:
-        return (f"<Triangulation: {self.number_of_vertices} vertices, {self.number_of_edges} edges, "
-                f"{self.number_of_faces} faces>")
-
-    @property
-    def number_of_vertices(self) -> int:
-        """The number of vertices: the input vertices, with their numbers, followed by the inserted ones."""
-        return self._surface.number_of_vertices()
-
-    @property
-    def number_of_edges(self) -> int:
-        """The number of edges."""
-        return self._surface.number_of_edges()
-
-    @property
-    def number_of_faces(self) -> int:
-        """The number of faces."""
-        return self._surface.number_of_faces()
-
-    @property
-    def faces(self) -> numpy.ndarray:
-        """(m, 3) array of int64: the corners of the faces, counterclockwise. Corners may coincide."""
-        return self._surface.faces()
-
-    @property
-    def face_edges(self) -> numpy.ndarray:
-        """(m, 3) array of int64: the edge from corner i to corner i + 1 of each face."""
-        return self._surface.edges_of_faces()
-
-    @property
-    def edges(self) -> numpy.ndarray:
-        """(k, 2) array of int64: the ends of each edge. They may coincide, and several edges may have the same ends."""
-        return self._surface.edges()
-
-    @property
-    def lengths(self) -> numpy.ndarray:
-        """(k,) array: the length of each edge, in the unit of the input; within 1 ulp of the exact length."""
-        return self._surface.lengths()
-
-    @property
-    def weights(self) -> numpy.ndarray:
-        """(k,) array: half the sum of the cotangents of the one or two angles opposite to each edge; no unit.
-
-        Weights are rounded, but have the exact sign: no interior weight of a Delaunay triangulation is negative. The
-        off-diagonal entries of L are the negated sums of the weights of all edges that join two vertices.
-
-        Raises
-        ------
-        InvalidSurfaceError
-            If a face has zero area.
-        """
-        return self._surface.weights()
-
-    @property
-    def areas(self) -> numpy.ndarray:
-        """(m,) array: the area of each face, in the squared unit of the input; the relative error is at most 2**-32."""
-        return self._surface.areas()
-
-    @property
-    def angles(self) -> numpy.ndarray:
-        """(m, 3) array: the angle at each corner of each face in radians; the relative error is at most 2**-49."""
-        return self._surface.corner_angles()
-
     def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Optional[ArrayLike] = None) -> FlipReport:
         """Flip edges until the triangulation is Delaunay. Every decision is exact.
 
@@ -582,131 +412,6 @@ class Triangulation:
         return SimplifiedSurface(type(self)._of(surface), vertices, (faces, coordinates), shrink, stretch,
                                  _arrays.sparse(prolongation), reasons)
 
-    def sharp_edges(self, degrees: float, minimum_size: float = 0) -> numpy.ndarray:
-        """Find the sharp edges of the input, to be constrained in `refine` before any flip.
-
-        A sliver, thinner than `minimum_size` or four units in the last place of the largest coordinate, takes the
-        direction of the face beyond its longest side. Chains of sharp edges shorter than `minimum_size` are dropped.
-        Directions and lengths are rounded. O(n log n).
-
-        Parameters
-        ----------
-        degrees : float
-            The minimum angle between the directions of the two faces, from 0 to 180.
-        minimum_size : float
-            The size of slivers and short chains, in the unit of the input.
-
-        Returns
-        -------
-        (k,) array of bool
-            For each edge of the input.
-
-        Raises
-        ------
-        ValueError
-            If the surface is given by lengths alone.
-
-        Examples
-        --------
-        >>> import intrinsic_triangulations as it
-        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
-        >>> int(t.sharp_edges(30).sum()), int(t.sharp_edges(100).sum())
-        (1, 0)
-        """
-        if self._points is None:
-            raise ValueError("the surface is given by lengths: its faces have no directions")
-        return self._surface.sharp_edges(self._points, _arrays.number(degrees, "degrees"),
-                                         _arrays.number(minimum_size, "minimum_size")).astype(bool)
-
-    def edges_between(self, pairs: ArrayLike) -> numpy.ndarray:
-        """Find the edges that join given pairs of vertices, to be constrained in `refine`.
-
-        Parameters
-        ----------
-        pairs : (p, 2) array of integers
-            The pairs, in any order. For a polyline `v` they are `numpy.stack((v[:-1], v[1:]), axis=1)`.
-
-        Returns
-        -------
-        (k,) array of bool
-            For each edge of the current triangulation.
-
-        Raises
-        ------
-        ValueError
-            If no edge joins the vertices of a pair.
-        InvalidSurfaceError
-            If there is no such vertex.
-
-        Examples
-        --------
-        >>> import intrinsic_triangulations as it
-        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
-        >>> int(t.edges_between([[1, 0]]).sum())
-        1
-        """
-        given = _arrays.indices(pairs, "pairs", (None, 2), self.number_of_vertices).tolist()
-        wanted = {tuple(sorted(pair)) for pair in given}
-        ends = [tuple(sorted(edge)) for edge in self.edges.tolist()]
-        missing = wanted.difference(ends)
-        if missing:
-            first = next(pair for pair in given if tuple(sorted(pair)) in missing)
-            raise ValueError(f"no edge joins the vertices {first[0]} and {first[1]}" +
-                             (f", nor {len(missing) - 1} more pairs" if len(missing) > 1 else ""))
-        return numpy.array([edge in wanted for edge in ends], dtype=bool)
-
-    def _border(self) -> numpy.ndarray:
-        return numpy.bincount(self._surface.edges_of_faces().ravel(), minlength=self.number_of_edges) == 1
-
-    def _constrained(self, constrained: Any) -> Optional[numpy.ndarray]:
-        return _arrays.marks(constrained, "constrained", self.number_of_edges)
-
-    def laplacian(self, mass: Mass = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
-        """Return the Laplace-Beltrami operator of this triangulation, flipped or not.
-
-        Parameters
-        ----------
-        mass : {"lumped", "galerkin"}
-            The mass matrix.
-
-        Returns
-        -------
-        L, M : (n, n) scipy.sparse.csc_matrix
-            As from `intrinsic_triangulations.laplacian`; but that function also flips border edges, in a second layer
-            of the surface. Here, entries of border edges can be positive.
-
-        Raises
-        ------
-        InvalidSurfaceError
-            If a face has zero area.
-        """
-        is_lumped = _arrays.choice(mass, "mass", Mass) == 0
-        return _arrays.sparse(self._surface.stiffness()), _arrays.sparse(self._surface.mass(is_lumped))
-
-    @property
-    def mass(self) -> numpy.ndarray:
-        """(n,) array: a third of the area of the faces at each vertex, in the squared unit of the input."""
-        return self._surface.mass(True)[0]
-
-    @property
-    def inserted_vertices(self) -> Tuple[numpy.ndarray, numpy.ndarray]:
-        """(i,) array of input faces, and (i, 3) array of coordinates there: where the inserted vertices lie."""
-        return self._surface.inserted_vertices()
-
-    @property
-    def positions(self) -> numpy.ndarray:
-        """(n, 3) array: the positions of all vertices in space, in the unit of the input; rounded for new vertices.
-
-        Raises
-        ------
-        ValueError
-            If the surface is given by lengths alone.
-        """
-        if self._points is None:
-            raise ValueError("the surface is given by lengths: its vertices have no positions")
-        subdivision = self.common_subdivision() if self.number_of_vertices > len(self._points) else None
-        return self._points.copy() if subdivision is None else subdivision.positions[:self.number_of_vertices]
-
     def straight_mesh(self, marked: Optional[ArrayLike] = None, thin_angle: float = 10, maximum_deviation: float = 0,
                       fixed: Optional[ArrayLike] = None) -> StraightMesh:
         """Return the faces as straight triangles in space, for programs that know no others.
@@ -792,20 +497,3 @@ class Triangulation:
         (True, False, 0, (3, 2))
         """
         return conformal_map(self._surface, self.number_of_vertices, cones, cone_angles, boundary, boundary_angles)
-
-    def common_subdivision(self) -> CommonSubdivision:
-        """Return the common subdivision of the input and this triangulation, as it is now.
-
-        O(size + number of crossings).
-
-        Returns
-        -------
-        CommonSubdivision
-            It transfers values and points between the two. Later flips do not change it.
-
-        Raises
-        ------
-        UndecidedError
-            If an edge crosses more than 2**20 input edges.
-        """
-        return CommonSubdivision(_core.subdivision(self._surface), self._points)
