@@ -75,6 +75,8 @@ def compute_operators(verts, faces, k_eig=32):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit("usage: python3 diffusion_operators.py MESH.off OPERATORS.npz")
     frames, mass, L, evals, evecs, grad_x, grad_y = compute_operators(*read_off(sys.argv[1]))
     np.savez(sys.argv[2], frames=frames, mass=mass, L=L.toarray(), evals=evals, evecs_squared=evecs**2, grad_x=grad_x.toarray(),
              grad_y=grad_y.toarray())

@@ -53,6 +53,8 @@ def everything(V, F, sources):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit("usage: python3 distances_and_vectors.py MESH.off RESULTS.npz")
     mesh = read_off(sys.argv[1])
     count = len(mesh[0])
     result = everything(*mesh, [0, count // 3, 2 * count // 3])

@@ -50,6 +50,8 @@ def features(verts, faces, number=40):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit("usage: python3 spectral_features.py MESH.off FEATURES.npz")
     result = features(*read_off(sys.argv[1]))
     np.savez(sys.argv[2], **result)
     print(np.round(result["evals"][:6], 3))

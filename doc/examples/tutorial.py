@@ -128,4 +128,6 @@ def main(folder, around=60, along=12):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: python3 tutorial.py FOLDER")
     main(pathlib.Path(sys.argv[1]))

@@ -73,6 +73,14 @@ def test_programs(name, tmp_path):
         assert len(results.files) > 3 and all(numpy.isfinite(results[key]).all() for key in results.files)
 
 
+def test_programs_say_which_arguments_they_take():
+    for path in EXAMPLES.glob("*.py"):
+        if path.name == "tutorial.py":
+            pytest.importorskip("matplotlib")
+        done = subprocess.run([sys.executable, str(path)], capture_output=True, text=True, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+        assert done.returncode in (1, 2) and done.stderr.startswith("usage: "), path
+
+
 def test_spectral_features(ellipsoid):
     V, F = ellipsoid
     features = example("spectral_features").features(V, F)

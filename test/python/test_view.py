@@ -48,8 +48,8 @@ def test_values_of_vertices_and_faces():
     V, F = icosphere(1)
     masked = numpy.ma.masked_greater(V[:, 0], 0.5)
     of_faces = numpy.where(numpy.arange(len(F)) < 3, numpy.nan, 1.0)
-    values = {"masked": masked, "of faces": of_faces, "whole": numpy.arange(len(V))}
-    right = [("masked", "vertices"), ("of faces", "faces"), ("whole", "vertices")]
+    values = {"masked": masked, "of faces": of_faces, "whole": numpy.arange(len(V)), "marks": V[:, 0] > 0.5}
+    right = [("masked", "vertices"), ("of faces", "faces"), ("whole", "vertices"), ("marks", "vertices")]
     assert fields_of(it.view(V, F, values)) == right
     t = it.Triangulation(V, F)
     t.flip_to_delaunay()

@@ -70,7 +70,7 @@ def shortest_path(V: ArrayLike, F: ArrayLike, source: int, target: int) -> Short
     V, F
         As for `MeshHeatMethodDistanceSolver`.
     source, target : integer
-        The vertices.
+        The vertices. `EdgeFlipGeodesicSolver.find_path` takes points of a surface, too.
 
     Returns
     -------
@@ -85,9 +85,9 @@ def shortest_path(V: ArrayLike, F: ArrayLike, source: int, target: int) -> Short
         As for `MeshHeatMethodDistanceSolver`.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    ends = _arrays.indices([source, target], "source and target", (2,), len(points))
+    ends = [_arrays.vertex(end, name, len(points)) for end, name in ((source, "source"), (target, "target"))]
     _arrays.warn_of_gaps(points, faces)
-    return ShortestPath(*_core.shortest_path(points, faces, int(ends[0]), int(ends[1])))
+    return ShortestPath(*_core.shortest_path(points, faces, *ends))
 
 
 def _path(parts: tuple) -> GeodesicPath:

@@ -133,6 +133,8 @@ def _tables(values: Values, vertices: int, faces: Optional[int], folder: str) ->
         if numpy.ma.is_masked(column):
             column = numpy.ma.filled(column.astype(float), numpy.nan)
         is_of_faces = numpy.shape(column) == (faces,) and faces != vertices
+        if numpy.asarray(column).dtype == bool:
+            column = numpy.asarray(column, dtype=float)
         array = _arrays.doubles(column, name, (faces if is_of_faces else vertices,))
         path = os.path.join(folder, f"values-{i}.csv")
         numpy.savetxt(path, numpy.column_stack([numpy.arange(len(array)), array]), "%.17g", ",",
