@@ -167,8 +167,7 @@ inline std::vector<Eigenpair> eigenpairs_of_part(const Eigen::SparseMatrix<doubl
   return result;
 }
 
-// Of all parts: the zeros that are known, and of the others so many of each part that those that are left out cannot be
-// among the smallest.
+// The known zeros of all parts, and so many others of each part that those left out cannot be among the smallest.
 inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness,
                                                   const Eigen::SparseMatrix<double>& mass, std::size_t number,
                                                   bool has_functions, std::vector<Spectrum_part>& parts)
@@ -193,7 +192,7 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
   const std::size_t missing = number - result.size();
   std::vector<std::vector<Eigenpair>> found(parts.size());
   std::vector<int> row_in_part(std::size_t(stiffness.rows()), -1);
-  double bound = std::numeric_limits<double>::infinity(); // of those that are looked for
+  double bound = std::numeric_limits<double>::infinity(); // of the wanted ones
   for (bool is_complete = missing == 0; !is_complete;) {
     is_complete = true;
     std::vector<double> values;

@@ -47,7 +47,8 @@ struct Cleaned_triangles
 };
 
 // \param merged pairs of vertices to unite, besides those that the options merge
-// \exception Invalid_surface_error if the point of a vertex with a face is not finite, or by Coincident_vertices::ERROR
+// \exception Invalid_surface_error if the point of a vertex with a face is not finite, or as Coincident_vertices::ERROR
+//   demands
 // \pre the vertices exist
 class Triangle_cleaner
 {
@@ -80,7 +81,7 @@ public:
 private:
   static bool repeats_a_corner(const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-  // Also vertices that no face names: the constructors of triangulations refuse them, too.
+  // Also checks vertices that no face names: the constructors of triangulations refuse them, too.
   void check_points() const
   {
     for (std::size_t v = 0; v < points_.size(); ++v)

@@ -119,7 +119,7 @@ private:
   };
   using Entries = std::vector<Entry*>;
 
-  // Glues the sides of simple ones.
+  // Glues the sides of simple edges.
   void look_at_edges()
   {
     std::vector<Faces_around_edge::Face> around;
