@@ -8,18 +8,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_source.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Distance_search.h>
-#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Row_of_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Row_of_cover_vertex.h>
 
 #include <cstdint>
 #include <utility>

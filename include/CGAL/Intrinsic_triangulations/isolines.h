@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_ISOLINES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_ISOLINES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_source.h>
@@ -16,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Distance_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/trace_lines.h>
-#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Row_of_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 

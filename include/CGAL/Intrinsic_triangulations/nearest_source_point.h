@@ -19,7 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/distances/Curve_sources.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
-#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Row_of_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>

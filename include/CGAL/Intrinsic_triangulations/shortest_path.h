@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_H
 
-#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -18,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
-#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Row_of_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Row_of_cover_vertex.h>
 
 #include <array>
 #include <cmath>

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Row_of_cover_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
@@ -53,35 +54,6 @@ struct Tufted_Laplacian
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-// The vertices of a cover by the rows of its matrices.
-class Row_of_cover_vertex
-{
-public:
-  explicit Row_of_cover_vertex(const Tufted_cover& cover) : cover_(cover) {}
-  std::size_t number_of_rows() const { return cover_.representative.size(); }
-  std::uint32_t operator()(Vertex_index v) const { return cover_.vertex_of[v.idx()]; }
-  // The row of a vertex of the input.
-  std::uint32_t of_input(Vertex_index v) const { return cover_.representative[v.idx()]; }
-  bool is_cut() const { return cover_.is_cut; }
-  template <class Visit>
-  void for_each_flat_edge(const Visit& visit) const
-  {
-    for (const Tufted_cover::Flat_edge& e : cover_.flat_edges)
-      visit(e.source, e.target, e.length);
-  }
-  // The weight of a face, or of each face at an edge: one half if it has a second copy.
-  double share(Face_index f) const { return cover_.is_half[f.idx()] ? 0.5 : 1; }
-  double share(Edge_index e) const
-  {
-    const Delta_complex& complex = cover_.triangulation.connectivity();
-    const Halfedge_index h = complex.halfedge(e);
-    return share(complex.face(complex.is_border(h) ? complex.opposite(h) : h));
-  }
-
-private:
-  const Tufted_cover& cover_;
-};
 
 // The areas of the faces, with their weights.
 inline std::vector<double> shares_of_area(const Tufted_cover& cover)

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Row_of_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
@@ -28,25 +29,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// The row of each vertex, here one of its own, and how much a face counts.
-class Row_of_vertex
-{
-public:
-  explicit Row_of_vertex(const Delta_complex& complex) : number_of_rows_(complex.number_of_vertices()) {}
-  std::size_t number_of_rows() const { return number_of_rows_; }
-  Vertex_index::size_type operator()(Vertex_index v) const { return v.idx(); }
-  Vertex_index::size_type of_input(Vertex_index v) const { return v.idx(); }
-  bool is_cut() const { return false; }
-  // Calls visit(row, row, length) for each edge without faces.
-  template <class Visit>
-  void for_each_flat_edge(const Visit&) const
-  {}
-  double share(Face_index) const { return 1; }
-
-private:
-  std::size_t number_of_rows_;
-};
 
 // Fills the compressed columns of a symmetric matrix in order, without sorting. Edges go into buckets by their smaller
 // vertex. When it is the turn of vertex c, all smaller vertices are done, so the rows above the diagonal of column c
