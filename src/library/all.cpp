@@ -85,3 +85,5 @@
 #include "simplification/Simplifier.cpp"
 #include "simplification/simplify_surface.cpp"
 #include "parameterization/Conformal_map.cpp"
+#include "parameterization/Triple_overlay.cpp"
+#include "parameterization/find_conformal_map.cpp"

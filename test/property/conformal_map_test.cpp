@@ -3,16 +3,13 @@
 //
 // Conformal maps: what they claim, checked in rational numbers, and against known maps.
 
-#include "samples/sample_surfaces.h"
+#include "conformal_claims.h"
 
-#include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
-#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
-#include <CGAL/Gmpq.h>
 #include <CGAL/number_type_config.h>
 
 #include <gtest/gtest.h>
@@ -29,65 +26,9 @@
 
 namespace {
 
-namespace IT = CGAL::Intrinsic_triangulations;
-using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
-using IT::Conformal_map;
+using namespace conformal_claims;
 using IT::Vertex_index;
 using samples::Indexed_triangles;
-
-Triangulation triangulation_of(const Indexed_triangles& surface)
-{
-  return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
-}
-
-int exact_orientation(const std::array<Conformal_map::Point, 3>& t)
-{
-  const auto q = [&](int i, int k) { return CGAL::Gmpq(t[std::size_t(i)][std::size_t(k)]); };
-  return CGAL::sign(CGAL::Gmpq((q(1, 0) - q(0, 0)) * (q(2, 1) - q(0, 1)) - (q(1, 1) - q(0, 1)) * (q(2, 0) - q(0, 0))));
-}
-
-// What is wrong with a map; empty if nothing is.
-std::string defect(const Conformal_map& map, const Triangulation& t)
-{
-  if (!map.is_certified || !map.turned.empty())
-    return "it is not certified";
-  std::vector<double> areas(t.input().number_of_faces(), 0.);
-  std::map<std::array<std::uint32_t, 2>, std::size_t> sides;
-  for (std::size_t i = 0; i < map.triangles.size(); ++i) {
-    if (exact_orientation(map.uv[i]) <= 0)
-      return "triangle " + std::to_string(i) + " is turned over";
-    // Its area, as a part of the input face.
-    std::array<std::array<double, 3>, 3> b;
-    for (std::size_t k = 0; k < 3; ++k)
-      b[k] = map.coordinates_in_face(map.places[map.triangles[i][k]], map.input_faces[i]);
-    areas[map.input_faces[i].idx()] += b[0][0] * (b[1][1] * b[2][2] - b[1][2] * b[2][1]) -
-                                       b[0][1] * (b[1][0] * b[2][2] - b[1][2] * b[2][0]) +
-                                       b[0][2] * (b[1][0] * b[2][1] - b[1][1] * b[2][0]);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!sides.insert({{map.triangles[i][k], map.triangles[i][(k + 1) % 3]}, 3 * i + k}).second)
-        return "two triangles have the same side in the same direction";
-  }
-  for (double area : areas)
-    if (!(std::abs(area - 1) < 1e-9))
-      return "the triangles do not make up a face";
-  for (const auto& [side, s] : sides) {
-    const auto other = sides.find({side[1], side[0]});
-    if (other == sides.end())
-      continue;
-    const auto end = [&](std::size_t x, std::size_t k) { return map.uv[x / 3][(x % 3 + k) % 3]; };
-    const bool agree = end(s, 0) == end(other->second, 1) && end(s, 1) == end(other->second, 0);
-    const bool is_cut = map.is_cut[s / 3][s % 3] && map.is_cut[other->second / 3][other->second % 3];
-    if (!agree && !is_cut)
-      return "triangles " + std::to_string(s / 3) + " and " + std::to_string(other->second / 3) +
-             " do not fit together";
-    const auto length = [&](std::size_t x) {
-      return std::hypot(end(x, 1)[0] - end(x, 0)[0], end(x, 1)[1] - end(x, 0)[1]);
-    };
-    if (is_cut && std::abs(length(s) - length(other->second)) > 2 * map.seam + 1e-13)
-      return "a seam does not fit together";
-  }
-  return "";
-}
 
 TEST(Conformal_map, claims_are_true_in_rational_numbers)
 {
@@ -363,55 +304,6 @@ TEST(Conformal_map, can_be_interrupted)
     EXPECT_THROW(
       IT::conformal_parameterization(t, CGAL::parameters::visitor([&](double) { return ++calls <= last_call; })),
       IT::Cancelled_error);
-  }
-}
-
-TEST(Conformal_map, says_whether_it_overlaps_itself)
-{
-  // A flat spiral ramp of one and a half turns covers itself; of three quarters of a turn it does not.
-  for (double turns : {0.75, 1.5}) {
-    Indexed_triangles ramp;
-    const std::uint32_t n = 60;
-    for (std::uint32_t i = 0; i <= n; ++i)
-      for (double r : {1., 1.4, 2.}) {
-        const double a = 2 * CGAL_PI * turns * i / n;
-        ramp.points.push_back({r * std::cos(a), r * std::sin(a), 1e-3 * a});
-      }
-    for (std::uint32_t i = 0; i < n; ++i)
-      for (std::uint32_t k = 0; k < 2; ++k) {
-        ramp.triangles.push_back({3 * i + k, 3 * i + k + 1, 3 * i + k + 4});
-        ramp.triangles.push_back({3 * i + k, 3 * i + k + 4, 3 * i + k + 3});
-      }
-    const Triangulation t = triangulation_of(ramp);
-    const Conformal_map map = IT::conformal_parameterization(t);
-    EXPECT_EQ(defect(map, t), "");
-    EXPECT_EQ(map.overlaps, turns > 1);
-    EXPECT_TRUE(map.turned_input.empty());
-    EXPECT_TRUE(map.divided_input.empty());
-    for (const auto& sides : map.is_cut)
-      EXPECT_FALSE(sides[0] || sides[1] || sides[2]) << "nothing has to be cut";
-  }
-}
-
-// A slit into a flat square: both sides of the cut have the same image, up to rounding.
-TEST(Conformal_map, does_not_overlap_along_a_slit)
-{
-  Indexed_triangles square;
-  const std::uint32_t n = 8;
-  for (std::uint32_t i = 0; i <= n; ++i)
-    for (std::uint32_t k = 0; k <= n; ++k)
-      square.points.push_back({0.1 * i + 0.01 * std::sin(7. * k * i), 0.1 * k + 0.01 * std::cos(5. * i + k), 0});
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const std::uint32_t v = i * (n + 1) + k;
-      square.triangles.push_back({v, v + n + 1, v + n + 2});
-      square.triangles.push_back({v, v + n + 2, v + 1});
-    }
-  const Triangulation t = triangulation_of(square);
-  for (std::size_t cones : {1u, 2u, 5u}) {
-    const Conformal_map map = IT::conformal_parameterization(t, CGAL::parameters::number_of_cones(cones));
-    EXPECT_EQ(defect(map, t), "");
-    EXPECT_FALSE(map.overlaps) << cones;
   }
 }
 

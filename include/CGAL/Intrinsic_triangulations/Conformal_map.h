@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A conformal map of a surface to the plane, and what is proven about it.
+// A conformal map of a surface to the plane, and what is proven of it.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_MAP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_MAP_H
@@ -51,8 +51,7 @@ struct Conformal_map
   bool is_certified = false;
   /// the largest difference of the lengths of the two images of an edge of a cut, and of the length in `metric`
   double seam = 0;
-  /// whether two sides of the image's border have a common point that is not a common end, exactly. Where the images of
-  /// both sides of a cut agree to 10<sup>-12</sup> of the image's size, the image has no border
+  /// whether two sides of the image's border have a common point that is no common end, exactly
   bool overlaps = false;
   /// for each halfedge of the input, the image of its source in its face; (0, 0) if it has none. A triangle that a cut crosses
   /// has the image that its largest part, extended linearly, gives it
@@ -72,6 +71,11 @@ struct Conformal_map
   Delta_complex input;
   std::vector<std::size_t> first_of_face; // of the triangles, which are in the order of the input faces
   std::array<double, 3> coordinates_in_face(const Surface_point& p, Face_index f) const;
+  // In the affine coordinates in which the corners of the face are (0, 0), (1, 0) and (0, 1).
+  Point in_face(const Surface_point& p, Face_index f) const;
+  std::array<Point, 3> in_face(std::size_t triangle) const;
+  // The image of such a point by the linear map of a triangle.
+  Point extended(std::size_t triangle, const Point& p) const;
   /// \endcond
 };
 

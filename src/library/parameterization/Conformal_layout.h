@@ -50,60 +50,39 @@ public:
 
   // Whether the surface continues on the other side of an edge, but is cut there.
   bool is_cut(Halfedge_index h) const { return is_inner(complex_.edge(h)) && is_cut_[complex_.edge(h).idx()]; }
-  // Whether both images of a cut edge agree to 10^-12 of the size, as those of a slit into a flat surface do.
-  bool is_closed_slit(Halfedge_index h) const
-  {
-    const Halfedge_index g = complex_.opposite(h);
-    const auto are_near = [this](const Point& p, const Point& q) {
-      return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) <= 1e-12 * size_;
-    };
-    return are_near(corner(h), corner(complex_.next(g))) && are_near(corner(complex_.next(h)), corner(g));
-  }
 
   // Whether all triangles keep their orientation, exactly, and go around each vertex off the cuts once.
   bool is_certified() const
   {
-    std::vector<double> sums(complex_.number_of_vertices(), 0.);
-    std::vector<bool> is_on_cut(complex_.number_of_vertices(), false);
     for (Face_index f : complex_.faces()) {
-      if (!is_inside(f))
-        continue;
-      const Halfedge_index first = complex_.halfedge(f);
-      if (planar_orientation(corner(first), corner(complex_.next(first)), corner(complex_.prev(first))) != LEFT_TURN)
+      const Halfedge_index h = complex_.halfedge(f);
+      if (is_inside(f) &&
+          planar_orientation(corner(h), corner(complex_.next(h)), corner(complex_.prev(h))) != LEFT_TURN)
         return false;
-      for (Halfedge_index h : {first, complex_.next(first), complex_.prev(first)}) {
-        const Point &p = corner(h), &q = corner(complex_.next(h)), &r = corner(complex_.prev(h));
-        const double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
-        sums[complex_.source(h).idx()] += std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
-      }
     }
+    std::vector<bool> is_once = go_around_once();
     for (Edge_index e : complex_.edges())
-      if (!is_inner(e) || is_cut_[e.idx()])
-        for (Vertex_index v : {complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e))})
-          is_on_cut[v.idx()] = true;
-    // Triangles with one orientation go around a point: the sum is a multiple of 2π, so it need not be known exactly.
-    for (Vertex_index v : complex_.vertices())
-      if (!is_on_cut[v.idx()] && complex_.halfedge(v).is_valid() && !(std::abs(sums[v.idx()] - 2 * CGAL_PI) < 1))
-        return false;
-    return true;
+      if (is_cut(complex_.halfedge(e)))
+        is_once[complex_.source(complex_.halfedge(e)).idx()] = is_once[complex_.target(complex_.halfedge(e)).idx()] =
+          true;
+    return std::find(is_once.begin(), is_once.end(), false) == is_once.end();
   }
 
-  // The largest difference between the lengths of the two images of a cut edge, or between one of them and its length.
+  // The largest difference between the lengths of the images of a cut edge, or a part of it, or from its length.
   double seam() const
   {
-    double result = 0, longest = 0;
-    const auto image = [&](Halfedge_index h) {
-      const Point &p = corner(h), &q = corner(complex_.next(h));
-      return std::hypot(q[0] - p[0], q[1] - p[1]);
-    };
+    double result = 0, largest = 0; // the latter of coordinates: parts end at points that are rounded by 2^-50 of it
     for (Edge_index e : complex_.edges())
-      if (const Halfedge_index h = complex_.halfedge(e); is_cut(h)) {
-        const Halfedge_index g = complex_.opposite(h);
-        longest = (std::max)({longest, length(h), image(h), image(g)});
-        result = (std::max)(
-          {result, std::abs(image(h) - image(g)), std::abs(image(h) - length(h)), std::abs(image(g) - length(h))});
+      if (const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h); is_cut(h)) {
+        const auto image = [&](Halfedge_index side) {
+          const Point &p = corner(side), &q = corner(complex_.next(side));
+          largest = (std::max)({largest, std::abs(p[0]), std::abs(p[1]), std::abs(q[0]), std::abs(q[1])});
+          return std::hypot(q[0] - p[0], q[1] - p[1]);
+        };
+        const auto [least, most] = std::minmax({length(h), image(h), image(g)});
+        result = (std::max)(result, most - least);
       }
-    return result + 0x1p-50 * longest; // rounding included
+    return result + 0x1p-47 * largest;
   }
 
 private:
@@ -119,9 +98,29 @@ private:
 
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
 
+  // For each vertex, whether triangles that keep their orientation go around it once: the sum of their angles is a multiple
+  // of 2 pi, so it need not be known exactly. True on the border.
+  std::vector<bool> go_around_once() const
+  {
+    std::vector<double> sums(complex_.number_of_vertices(), 0.);
+    for (Halfedge_index h : complex_.halfedges())
+      if (is_inside(complex_.face(h))) {
+        const Point &p = corner(h), &q = corner(complex_.next(h)), &r = corner(complex_.prev(h));
+        const double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
+        sums[complex_.source(h).idx()] += std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+      }
+    for (Edge_index e : complex_.edges())
+      if (!is_inner(e))
+        sums[complex_.source(complex_.halfedge(e)).idx()] = sums[complex_.target(complex_.halfedge(e)).idx()] = 0;
+    std::vector<bool> result;
+    for (double sum : sums)
+      result.push_back(sum == 0 || std::abs(sum - 2 * CGAL_PI) < 1);
+    return result;
+  }
+
   // Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of faces does
   // not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree crosses those
-  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are not cut.
+  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are no cuts.
   void cut(const std::vector<bool>& is_end)
   {
     std::vector<bool> is_in_tree(complex_.number_of_edges(), false);
@@ -146,8 +145,7 @@ private:
     prune(is_end);
   }
 
-  // Distances from the border along edges inside the surface. In each component without a border, one vertex is the
-  // root.
+  // Along edges inside the surface, from its border. Each component that has no border gets one vertex as its root.
   std::vector<double> distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -221,8 +219,8 @@ private:
     }
   }
 
-  // Goes from the largest face of each component over the longest edges first, so that small triangles get their places
-  // from their neighbors. The components are put side by side, from left to right.
+  // From the largest face of each component, over the longest edges first, so that small triangles get their places from
+  // their neighbors. The components come from left to right, the smallest first, lest it be rounded to nothing.
   void lay_out()
   {
     std::vector<std::pair<double, Face_index>> faces;
@@ -234,19 +232,42 @@ private:
       }
     std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<bool> is_placed(complex_.number_of_faces(), false);
-    double right = 0, gap = 0;
-    for (const auto& [size, first] : faces) {
-      if (is_placed[first.idx()])
-        continue;
-      const std::vector<Halfedge_index> placed = lay_out_from(first, is_placed);
-      const auto [least, most] = std::minmax_element(
-        placed.begin(), placed.end(), [&](Halfedge_index h, Halfedge_index g) { return corner(h)[0] < corner(g)[0]; });
-      const double from = corner(*least)[0], to = corner(*most)[0], shift = gap == 0 ? 0 : right + gap - from;
-      for (Halfedge_index h : placed)
+    std::vector<std::vector<Halfedge_index>> components;
+    for (const auto& [size, first] : faces)
+      if (!is_placed[first.idx()])
+        components.push_back(lay_out_from(first, is_placed));
+    close_slits(components);
+    double right = 0;
+    for (auto placed = components.rbegin(); placed != components.rend(); ++placed) {
+      const auto [least, most] =
+        std::minmax_element(placed->begin(), placed->end(),
+                            [&](Halfedge_index h, Halfedge_index g) { return corner(h)[0] < corner(g)[0]; });
+      const double from = corner(*least)[0], to = corner(*most)[0], width = to - from,
+                   shift = components.size() == 1 ? 0 : right + 0.05 * width - from;
+      for (Halfedge_index h : *placed)
         corners_[h.idx()][0] += shift;
       right = to + shift;
-      if (gap == 0)
-        gap = 0.05 * (to - from);
+    }
+  }
+
+  // Both images of a slit into a flat part agree to 10^-12 of the component's size: there is no need of a cut. At a cone of
+  // 4 pi there is.
+  void close_slits(const std::vector<std::vector<Halfedge_index>>& components)
+  {
+    const std::vector<bool> is_once = go_around_once();
+    for (const std::vector<Halfedge_index>& placed : components) {
+      double size = 0;
+      for (Halfedge_index h : placed)
+        size = (std::max)({size, std::abs(corner(h)[0]), std::abs(corner(h)[1])});
+      for (Halfedge_index h : placed) {
+        const Halfedge_index end = complex_.next(h), g = complex_.opposite(h);
+        const auto agree = [&](Halfedge_index a, Halfedge_index b) {
+          return is_once[complex_.source(a).idx()] &&
+                 std::abs(corner(a)[0] - corner(b)[0]) + std::abs(corner(a)[1] - corner(b)[1]) <= 1e-12 * size;
+        };
+        if (is_cut(h) && agree(h, complex_.next(g)) && agree(end, g))
+          is_cut_[complex_.edge(h).idx()] = false;
+      }
     }
   }
 
@@ -281,7 +302,7 @@ private:
     return placed;
   }
 
-  // The place of the third corner of the face of h, where the ends of h have been placed.
+  // Where the third corner of the face of h belongs, whose ends are placed.
   Point third(Halfedge_index h) const
   {
     const double c = length(h), a = length(complex_.next(h)), b = length(complex_.prev(h));
@@ -295,7 +316,7 @@ private:
     return {p[0] + (x * dx - y * dy) / d, p[1] + (x * dy + y * dx) / d};
   }
 
-  // Corners around a vertex between two cuts get the mean of their places.
+  // Corners around a vertex between cuts get their mean.
   void merge_corners()
   {
     Disjoint_sets sets(corners_.size());
@@ -317,7 +338,6 @@ private:
       corners_[h] = rounded({x / count, y / count});
       if (!std::isfinite(corners_[h][0]) || !std::isfinite(corners_[h][1]))
         throw Numerical_error("coordinates of the conformal map leave the range of double");
-      size_ = (std::max)({size_, std::abs(corners_[h][0]), std::abs(corners_[h][1])});
     }
   }
 
@@ -327,7 +347,6 @@ private:
   const std::vector<bool>& is_inside_;
   std::vector<bool> is_cut_;
   std::vector<Point> corners_;
-  double size_ = 0; // the largest coordinate
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

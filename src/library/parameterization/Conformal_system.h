@@ -126,7 +126,7 @@ public:
     double result = 0;
     for (Vertex_index v : complex_.vertices())
       if (const std::size_t w = vertex(v); targets.has_angle(w)) {
-        const double wanted = targets.angle(w) * (copies[w] == 1 ? factor() : 1);
+        const double wanted = targets.given_angle(w) * (copies[w] == 1 ? factor() : 1);
         const auto& [sum, error] = corners_[v.idx()];
         // Sums beyond 8 are rounded by more, and π is rounded, too.
         result =

@@ -48,6 +48,8 @@ public:
   // A vertex without an angle keeps its scale.
   bool has_angle(std::size_t v) const { return kinds_[v] == Kind::ANGLE || kinds_[v] == Kind::GIVEN_ANGLE; }
   double angle(std::size_t v) const { return angles_[v]; }
+  // Before the sums were corrected.
+  double given_angle(std::size_t v) const { return given_angles_[v]; }
   bool can_become_cone(std::size_t v) const { return kinds_[v] == Kind::ANGLE; }
   bool is_chosen(std::size_t v) const { return kinds_[v] == Kind::CONE; }
   void make_cone(std::size_t v)
@@ -64,19 +66,20 @@ public:
   struct Component
   {
     std::vector<std::size_t> vertices;
-    double total = 0;         // 2π times the Euler characteristic
+    int Euler_characteristic = 0;
     bool keeps_scale = false; // at some vertex
     bool has_border = false;
-    // The vertex where u is set to 0, one unknown less, if no vertex keeps its scale.
+    double total() const { return two_pi * Euler_characteristic; } // of curvatures
+    // One unknown less, where u is 0 for now, if no vertex keeps its scale.
     bool is_pin(std::size_t v) const { return !keeps_scale && v == vertices.front(); }
   };
   const std::vector<Component>& components() const { return components_; }
   const Component& component_of(std::size_t v) const { return components_[component_of_[v]]; }
 
-  // By the theorem of Gauss and Bonnet, the wanted angles must have the right sum, and must leave some angle for other
-  // vertices.
+  // The theorem of Gauss and Bonnet: angles that are wanted have the right sum, and leave some for other vertices.
   void check_sums()
   {
+    given_angles_ = angles_;
     std::vector<std::size_t> last_of(components_.size());
     for (std::size_t v = 0; v < kinds_.size(); ++v)
       last_of[component_of_[v]] = v;
@@ -85,8 +88,8 @@ public:
     for (const Component& component : components_) {
       if (kinds_[component.vertices.front()] == Kind::ISOLATED)
         continue;
-      double missing = component.total, flat = 0; // the latter of vertices that keep their scale
-      int border = 0;                             // of them
+      double missing = component.total(), flat = 0; // the latter of vertices that keep their scale
+      int border = 0;                               // of them
       for (std::size_t v : component.vertices)
         if (has_angle(v))
           missing -= curvature(v);
@@ -113,7 +116,7 @@ public:
           " have the wrong sum: by the theorem of Gauss and Bonnet, the sums of angles have to be smaller by " +
           in_full(missing) +
           " in total; the sum of 2 pi minus the angle, or of pi minus the angle on the border, has to be " +
-          in_full(component.total) + ": name other angles, or let cones be chosen");
+          in_full(component.total()) + ": name other angles, or let cones be chosen");
       angles_[last_of[component_of_[component.vertices.front()]]] -= missing;
     }
   }
@@ -146,12 +149,12 @@ private:
     for (std::size_t v = 0; v < kinds_.size(); ++v) {
       components_[component_of_[v]].vertices.push_back(v);
       components_[component_of_[v]].has_border |= is_on_border_[v];
-      components_[component_of_[v]].total += two_pi;
+      ++components_[component_of_[v]].Euler_characteristic;
     }
     for (Edge_index e : surface_.edges())
-      components_[component_of_[surface_.source(surface_.halfedge(e)).idx()]].total -= two_pi;
+      --components_[component_of_[surface_.source(surface_.halfedge(e)).idx()]].Euler_characteristic;
     for (Face_index f : surface_.faces())
-      components_[component_of_[surface_.source(surface_.halfedge(f)).idx()]].total += two_pi;
+      ++components_[component_of_[surface_.source(surface_.halfedge(f)).idx()]].Euler_characteristic;
   }
 
   void set_given(const Conformal_options& options)
@@ -206,7 +209,7 @@ private:
       return;
     std::vector<double> perimeters(components_.size(), 0.), turns(components_.size());
     for (std::size_t i = 0; i < components_.size(); ++i)
-      turns[i] = components_[i].total;
+      turns[i] = components_[i].total();
     for (Vertex_index v : cones_)
       turns[component_of_[v.idx()]] -= curvature(v.idx());
     const auto for_each_border_halfedge = [&](const auto& to) {
@@ -236,7 +239,7 @@ private:
   const Delta_complex& surface_;
   std::vector<Kind> kinds_;
   std::vector<bool> is_on_border_;
-  std::vector<double> angles_;
+  std::vector<double> angles_, given_angles_;
   std::vector<std::size_t> component_of_, given_;
   std::vector<Component> components_;
   std::vector<Vertex_index> cones_;
