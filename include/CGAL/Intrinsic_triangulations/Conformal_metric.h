@@ -40,8 +40,6 @@ struct Discrete_conformal_metric
   Delta_complex triangulation;
   std::vector<double> lengths;        ///< the new lengths of its edges: triangles with these lengths are the metric
   std::vector<Vertex_index> vertices; ///< for each vertex of `triangulation`, the vertex of the surface
-  /// for each halfedge of the surface's input that has a face, that of the first copy of the input
-  std::vector<Halfedge_index> halfedges;
   std::vector<Edge_index>
     flips; ///< from the Delaunay triangulation of the surface, or of its double, to `triangulation`
 };

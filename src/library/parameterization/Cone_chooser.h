@@ -22,63 +22,63 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // In the linear model, L u = excess. The vertex of a component with the largest |u| becomes its next cone: it keeps its
-// scale. Vertices whose u is the same up to rounding follow one after the other, if they are few, so that symmetries
-// remain. For each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere.
-// Subtracting multiples of these makes u zero at all cones, so one factorization suffices. In each round every
-// component gets a cone, as one solution serves all.
+// scale. So do, one after the other, those whose u is the same up to rounding, if they are few, so that symmetries remain. For
+// each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere. Subtracting multiples of
+// these makes u zero at all cones, so one factorization suffices. In each round every component gets a cone, as one solution
+// serves all.
 class Cone_chooser
 {
 public:
   // \pre `system` was factorized for the targets, which have no chosen cones yet
   Cone_chooser(const Conformal_system& system, Conformal_targets& targets, const Conformal_options& options)
-    : system_(system), targets_(targets), options_(options), excesses_(targets.number_of_vertices(), 0.)
+    : system_(system), targets_(targets), options_(options)
   {}
 
   void run()
   {
-    std::vector<double> right = excesses_;
+    std::vector<double> right(targets_.number_of_vertices(), 0.);
     for (const Conformal_targets::Component& component : targets_.components()) {
       if (component.vertices.size() == 1)
         continue;
-      open_.push_back({&component.vertices,
-                       !component.keeps_scale,
-                       component.has_border ? options_.largest_range_with_border : options_.largest_range,
-                       0,
-                       {},
-                       {}});
-      Part& part = open_.back();
+      Part& part = open_.emplace_back();
+      part.members = &component.vertices;
+      part.is_closed = !component.keeps_scale;
+      part.largest_range = component.has_border ? options_.largest_range_with_border : options_.largest_range;
       for (std::size_t v : component.vertices)
-        part.total += excesses_[v] = system_.excess(v, targets_);
-      for (std::size_t v : component.vertices) // until there is a cone, what cannot be removed is spread evenly
-        right[v] = excesses_[v] - (part.is_closed ? part.total / double(component.vertices.size()) : 0);
+        part.total += right[v] = system_.excess(v, targets_);
+      if (part.is_closed) // until there is a cone, what cannot be removed is spread evenly
+        shift(part, right, part.total / double(component.vertices.size()));
     }
     u_ = system_.solve(right);
     for (const Part& part : open_)
       if (part.is_closed)
         center(part);
-    for (;;) {
-      choose_next();
-      if (open_.empty())
-        return;
-      for (Part& part : open_)
-        demand(part, right);
-      std::vector<double> solution = system_.solve(right);
+    for (choose_next(); !open_.empty(); choose_next()) {
+      std::fill(right.begin(), right.end(), 0.);
+      for (const Part& part : open_) {
+        right[part.cones.back()] = 1;
+        if (part.cones.size() > 1 && part.is_closed)
+          right[part.cones.front()] = -1;
+        else if (part.is_closed)
+          shift(part, right, 1 / double(part.members->size()));
+      }
+      std::vector<double> function = system_.solve(right);
       for (const Part& part : open_)
-        add(part, solution);
-      functions_.push_back(std::move(solution));
+        add(part, function);
+      functions_.push_back(std::move(function));
     }
   }
 
 private:
-  // A component that still has too few cones.
+  // A component that has too few cones.
   struct Part
   {
     const std::vector<std::size_t>* members;
     bool is_closed; // no vertex keeps its scale at first
     double largest_range;
-    double total;
+    double total = 0;               // of the excesses
     std::vector<std::size_t> cones; // one in each round
-    std::vector<std::size_t> next;  // those that are to follow
+    std::vector<std::size_t> next;  // that are to follow
   };
 
   void choose_next()
@@ -101,7 +101,7 @@ private:
       targets_.make_cone(part.cones.back());
   }
 
-  // Angles of cones must be positive: in the linear model, they must not be smaller than π / 2.
+  // Angles of cones must be positive: by the linear model, they shall not be smaller than π / 2.
   bool is_sufficient(const Part& part, const std::vector<double>& change) const
   {
     if (part.is_closed && part.cones.empty() && std::abs(part.total) > 1e-6)
@@ -114,8 +114,7 @@ private:
     });
   }
 
-  // Of the vertices that can still become cones, those with the largest |u| and one sign; only the first one if there
-  // are many.
+  // Of those that can still become cones, the vertices with the largest |u| and one sign; the first one if they are many.
   std::vector<std::size_t> largest(const Part& part) const
   {
     double least = 0, most = 0;
@@ -155,49 +154,36 @@ private:
       u[v] -= value;
   }
 
-  // The first cone of a closed surface takes all excess that cannot be removed. Later cones have functions.
-  void demand(const Part& part, std::vector<double>& right) const
+  // Makes the function zero at all cones before the last one, and 1 there, and u zero at all. The first cone of a closed
+  // surface takes all that cannot be removed.
+  void add(const Part& part, std::vector<double>& function)
   {
-    const bool is_first = part.is_closed && part.cones.size() == 1;
-    for (std::size_t v : *part.members)
-      right[v] = is_first ? excesses_[v] : 0;
-    if (is_first) {
-      right[part.cones.back()] -= part.total;
-    } else {
-      right[part.cones.back()] = 1;
-      if (part.is_closed)
-        right[part.cones.front()] = -1;
-    }
-  }
-
-  void add(const Part& part, std::vector<double>& solution)
-  {
-    const std::size_t cone = part.cones.back();
-    if (part.is_closed)
-      shift(part, solution, solution[part.cones.front()]);
-    if (part.is_closed && part.cones.size() == 1) {
+    const std::vector<std::size_t>& cones = part.cones;
+    const auto subtract = [&](std::vector<double>& from, double factor, const std::vector<double>& x) {
       for (std::size_t v : *part.members)
-        u_[v] = solution[v];
+        from[v] -= factor * x[v];
+    };
+    if (part.is_closed)
+      shift(part, function, function[cones.front()]);
+    for (std::size_t i = 0; i + 1 < cones.size(); ++i)
+      subtract(function, function[cones[i]], functions_[i]);
+    if (part.is_closed && cones.size() == 1) {
+      subtract(u_, part.total, function);
+      shift(part, u_, u_[cones.front()]);
       return;
     }
-    const auto subtract = [&](std::vector<double>& x, double factor, const std::vector<double>& function) {
-      for (std::size_t v : *part.members)
-        x[v] -= factor * function[v];
-    };
-    for (std::size_t i = part.is_closed ? 1 : 0; i < functions_.size(); ++i)
-      subtract(solution, solution[part.cones[i]], functions_[i]);
-    const double value = solution[cone];
+    const double value = function[cones.back()];
     for (std::size_t v : *part.members)
-      solution[v] /= value;
-    subtract(u_, u_[cone], solution);
+      function[v] /= value;
+    subtract(u_, u_[cones.back()], function);
   }
 
   const Conformal_system& system_;
   Conformal_targets& targets_;
   const Conformal_options& options_;
-  std::vector<double> excesses_, u_;
+  std::vector<double> u_;
   std::vector<Part> open_;
-  std::vector<std::vector<double>> functions_; // for each round
+  std::vector<std::vector<double>> functions_; // of each round
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -25,6 +25,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+inline std::string shown(double x, int digits = 17)
+{
+  std::ostringstream os;
+  os.precision(digits);
+  os << x;
+  return os.str();
+}
+
 class Conformal_targets
 {
 public:
@@ -102,35 +110,27 @@ public:
           continue;
         throw Invalid_argument_error(
           std::string("the angles of the ") + (border > 0 ? "free border" : "cones") + " in the component of vertex " +
-          std::to_string(component.vertices.front()) + " would have the sum " + in_full(flat - missing) +
+          std::to_string(component.vertices.front()) + " would have the sum " + shown(flat - missing) +
           ": by the theorem of Gauss and Bonnet, it is " +
           (border > 0
              ? "pi for each of its " + std::to_string(border) + " vertices, and 2 pi for each chosen cone, minus " +
-                 in_full(missing) + ": give the cones smaller angles, or choose more of them"
-             : "2 pi for each cone, minus " + in_full(missing) + ": choose " +
+                 shown(missing) + ": give the cones smaller angles, or choose more of them"
+             : "2 pi for each cone, minus " + shown(missing) + ": choose " +
                  std::to_string(std::size_t(missing / two_pi + 1e-9) + 1) + " cones or more, or give their angles"));
       }
       if (!(std::abs(missing) <= 1e-9 + 1e-14 * double(component.vertices.size())))
         throw Invalid_argument_error(
           "the angles wanted in the component of vertex " + std::to_string(component.vertices.front()) +
           " have the wrong sum: by the theorem of Gauss and Bonnet, the sums of angles have to be smaller by " +
-          in_full(missing) +
+          shown(missing) +
           " in total; the sum of 2 pi minus the angle, or of pi minus the angle on the border, has to be " +
-          in_full(component.total()) + ": name other angles, or let cones be chosen");
+          shown(component.total()) + ": name other angles, or let cones be chosen");
       angles_[last_of[component_of_[component.vertices.front()]]] -= missing;
     }
   }
 
 private:
   static constexpr double two_pi = 2 * CGAL_PI;
-
-  static std::string in_full(double x)
-  {
-    std::ostringstream os;
-    os.precision(17);
-    os << x;
-    return os.str();
-  }
 
   enum class Kind {
     ISOLATED,

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -28,14 +27,6 @@ namespace {
 
 constexpr double tolerable_error = 1e-10;
 constexpr int maximum_number_of_steps = 100;
-
-// A number with three digits.
-std::string shown(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
 
 std::vector<double> lengths_of_border(const Doubled_surface::Triangulation& surface)
 {
@@ -63,7 +54,7 @@ public:
       const auto largest =
         std::max_element(u_.begin(), u_.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
       throw Numerical_error("the conformal metric does not converge: " + std::string(error.what()) +
-                            ", with a range of u of " + shown(range_of(u_)) +
+                            ", with a range of u of " + shown(range_of(u_), 3) +
                             ": allow more cones, the first at vertex " + std::to_string(largest - u_.begin()) +
                             ", or repair triangles that are too thin");
     }
@@ -73,17 +64,8 @@ public:
     std::vector<double> lengths;
     for (double l : system_.lengths())
       lengths.push_back(std::ldexp(l, doubled_.unit));
-    return {u_,
-            targets_.cones(),
-            cone_angles,
-            system_.residual(targets_),
-            range_of(u_),
-            steps_,
-            system_.complex(),
-            lengths,
-            doubled_.vertices,
-            doubled_.halfedges,
-            system_.flips()};
+    return {u_,     targets_.cones(),  cone_angles, system_.residual(targets_), range_of(u_),
+            steps_, system_.complex(), lengths,     doubled_.vertices,          system_.flips()};
   }
 
 private:
@@ -119,7 +101,7 @@ private:
         worst = v;
     return worst;
   }
-  // Whether the excesses are as small as rounded lengths allow. The excess of a pin is the sum of all rounding errors.
+  // Whether the excesses are as small as rounded lengths allow. What a pin has is the sum of all rounding.
   bool is_sufficient(const Conformal_targets::Component& component) const
   {
     return std::all_of(component.vertices.begin(), component.vertices.end(), [&](std::size_t v) {
@@ -146,7 +128,7 @@ private:
       const bool is_rounding = least < 0x1p-48 * system_.sensitivity(worst_vertex());
       if (steps_ == maximum_number_of_steps || idle == (is_rounding || least < 1e-6 ? 6 : 30))
         throw Numerical_error("the sum of the angles at vertex " + std::to_string(worst_vertex()) +
-                              " still differs by " + shown(least) + " from the wanted one" +
+                              " still differs by " + shown(least, 3) + " from the wanted one" +
                               (is_rounding ? " (rounding of lengths alone changes it as much)" : ""));
       take(newton_step(steps_ == 0 || idle > 0, least));
       const double now = largest_excess();
@@ -155,9 +137,8 @@ private:
     }
   }
 
-  // The gradient of the convex energy is half the difference of the wanted and the present angles. So the energy still
-  // falls at the end of a step as long as the product of the step and the excesses is not negative. Each component
-  // takes its own fraction of the step.
+  // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
+  // a step as long as the product of the step and the excesses is not negative. Each component takes a part of its own.
   void take(const std::vector<double>& step)
   {
     const std::vector<double> before = u_;

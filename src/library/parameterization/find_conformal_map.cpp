@@ -199,6 +199,7 @@ private:
   {
     map_.input_uv.assign(map_.input.number_of_halfedges(), {0, 0});
     is_divided_.assign(map_.input.number_of_faces(), false);
+    has_image_.assign(map_.input.number_of_halfedges(), false);
     std::vector<Triangle> triangles;
     overlay.for_each_piece(
       [&](const Triple_overlay::Piece& piece) {
@@ -280,33 +281,38 @@ private:
     for (const Triple_overlay::Corner& c : corners)
       images_.push_back(layout.rounded(c.t == 0 ? at(c.from) : between(at(c.from), at(c.to), c.t)));
     const Face_index face = given_face(piece.input);
-    const Halfedge_index h = map_.input.halfedge(face);
     std::vector<std::size_t> kept;
     std::vector<Side> sides; // to the next corners
     in_space_.clear();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const std::size_t next = k + 1 == corners.size() ? 0 : k + 1;
       const std::uint32_t a = corners[k].node, b = corners[next].node;
-      if (a < doubled_.vertices.size())
-        for (Halfedge_index side : {h, map_.input.next(h), map_.input.prev(h)})
-          if (map_.input.source(side) == doubled_.vertices[a])
-            map_.input_uv[side.idx()] = images_[k];
+      const Halfedge_index ideal = corners[k].ideal, input = corners[k].input;
       if ((std::max)(a, b) >= doubled_.vertices.size() && images_[k] == images_[next]) {
         same_.push_back({a, b});
         continue;
       }
       kept.push_back(k);
       in_space_.push_back({images_[k][0], images_[k][1], 0});
-      const Halfedge_index ideal = corners[k].ideal, input = corners[k].input;
       const bool is_cut = ideal.is_valid() && layout.is_cut(ideal);
       sides.push_back(!is_cut ? Side::UNCUT : input.is_valid() ? Side::CUT_ALONG : Side::CUT_THROUGH);
       const bool is_on_border = input.is_valid() && !doubled_.is_given(input_.face(input_.opposite(input)));
       if (is_on_border || is_cut)
         border_.push_back({images_[k], images_[next]});
     }
+    const bool has_collapsed = kept.size() < 3; // so it may be on the other side of a cut along the input
+    const Halfedge_index h = map_.input.halfedge(face);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (corners[k].node < doubled_.vertices.size())
+        for (Halfedge_index side : {h, map_.input.next(h), map_.input.prev(h)})
+          if (map_.input.source(side) == doubled_.vertices[corners[k].node] &&
+              !(has_collapsed && has_image_[side.idx()])) {
+            map_.input_uv[side.idx()] = images_[k];
+            has_image_[side.idx()] = !has_collapsed;
+          }
     if (kept.size() == 2 && (sides[0] != Side::UNCUT || sides[1] != Side::UNCUT))
       collapsed_.push_back({corners[kept[0]].node, corners[kept[1]].node});
-    if (kept.size() < 3)
+    if (has_collapsed)
       return;
     Convex_polygon_triangulation(in_space_).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
       const std::size_t i = kept[a], j = kept[b], k = kept[c];
@@ -427,8 +433,8 @@ private:
   int unit_; // until its end, the map is in that of `doubled_`
   const Delta_complex& input_;
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
-  std::vector<bool> is_divided_;
-  std::vector<Planar_segment> border_;                         // of the image
+  std::vector<bool> is_divided_, has_image_;   // input faces; corners of them
+  std::vector<Planar_segment> border_;         // of the image
   std::vector<std::array<std::uint32_t, 2>> same_, collapsed_; // nodes; ends of pieces that have collapsed to one side
   std::vector<Planar_point> images_;                           // of a piece's corners
   std::vector<std::array<double, 3>> in_space_;
