@@ -22,10 +22,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // In the linear model, L u = excess. The vertex of a component with the largest |u| becomes its next cone: it keeps its
-// scale. So do, one after the other, those whose u is the same up to rounding, if they are few, so that symmetries remain. For
-// each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere. Subtracting multiples of
-// these makes u zero at all cones, so one factorization suffices. In each round every component gets a cone, as one solution
-// serves all.
+// scale. Vertices whose u is the same up to rounding follow one after the other, if they are few, so that symmetries
+// remain. For each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere.
+// Subtracting multiples of these makes u zero at all cones, so one factorization suffices. In each round every
+// component gets a cone, as one solution serves all.
 class Cone_chooser
 {
 public:
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // A component that has too few cones.
+  // A component that still has too few cones.
   struct Part
   {
     const std::vector<std::size_t>* members;
@@ -78,7 +78,7 @@ private:
     double largest_range;
     double total = 0;               // of the excesses
     std::vector<std::size_t> cones; // one in each round
-    std::vector<std::size_t> next;  // that are to follow
+    std::vector<std::size_t> next;  // those that are to follow
   };
 
   void choose_next()
@@ -101,7 +101,7 @@ private:
       targets_.make_cone(part.cones.back());
   }
 
-  // Angles of cones must be positive: by the linear model, they shall not be smaller than π / 2.
+  // Angles of cones must be positive: in the linear model, they must not be smaller than π / 2.
   bool is_sufficient(const Part& part, const std::vector<double>& change) const
   {
     if (part.is_closed && part.cones.empty() && std::abs(part.total) > 1e-6)
@@ -114,7 +114,8 @@ private:
     });
   }
 
-  // Of those that can still become cones, the vertices with the largest |u| and one sign; the first one if they are many.
+  // Of the vertices that can still become cones, those with the largest |u| and one sign; only the first one if there
+  // are many.
   std::vector<std::size_t> largest(const Part& part) const
   {
     double least = 0, most = 0;
@@ -183,7 +184,7 @@ private:
   const Conformal_options& options_;
   std::vector<double> u_;
   std::vector<Part> open_;
-  std::vector<std::vector<double>> functions_; // of each round
+  std::vector<std::vector<double>> functions_; // for each round
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -120,7 +120,7 @@ private:
 
   // Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of faces does
   // not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree crosses those
-  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are no cuts.
+  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are not cut.
   void cut(const std::vector<bool>& is_end)
   {
     std::vector<bool> is_in_tree(complex_.number_of_edges(), false);
@@ -145,7 +145,8 @@ private:
     prune(is_end);
   }
 
-  // Along edges inside the surface, from its border. Each component that has no border gets one vertex as its root.
+  // Distances from the border along edges inside the surface. In each component without a border, one vertex is the
+  // root.
   std::vector<double> distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -302,7 +303,7 @@ private:
     return placed;
   }
 
-  // Where the third corner of the face of h belongs, whose ends are placed.
+  // The place of the third corner of the face of h, where the ends of h have been placed.
   Point third(Halfedge_index h) const
   {
     const double c = length(h), a = length(complex_.next(h)), b = length(complex_.prev(h));
@@ -316,7 +317,7 @@ private:
     return {p[0] + (x * dx - y * dy) / d, p[1] + (x * dy + y * dx) / d};
   }
 
-  // Corners around a vertex between cuts get their mean.
+  // Corners around a vertex between two cuts get the mean of their places.
   void merge_corners()
   {
     Disjoint_sets sets(corners_.size());

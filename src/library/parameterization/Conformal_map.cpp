@@ -102,7 +102,7 @@ Surface_point Conformal_map::to_surface(const Point& point) const
   return result;
 }
 
-// Of a point in a face or on its border, relative to `input.halfedge(f)`.
+// The coordinates of a point in a face or on its border, relative to `input.halfedge(f)`.
 std::array<double, 3> Conformal_map::coordinates_in_face(const Surface_point& p, Face_index f) const
 {
   std::array<double, 3> result{1, 0, 0};

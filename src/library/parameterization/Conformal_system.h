@@ -36,10 +36,11 @@ inline double range_of(const std::vector<double>& x)
   return x.empty() ? 0 : *most - *least;
 }
 
-// The angles opposite to the sides, half their cotangents, and the area. With a >= b >= c, a - b is exact where there is a
-// triangle, so sums and differences of sides are rounded twice at most, and the tangent of half an angle is known to 10 units
-// in the last place; with those of the arc tangent, an angle is to 2^-49 (Kahan, "Miscalculating area and angles of a
-// needle-like triangle"). Where rounding makes a side longer than the others together, its angle is π.
+// The angles opposite to the sides, half their cotangents, and the area. With a >= b >= c, a - b is exact if there is a
+// triangle, so sums and differences of sides are rounded at most twice, and the tangent of half an angle is known to 10
+// units in the last place; with the error of the arc tangent, an angle is known to 2^-49 (Kahan, "Miscalculating area
+// and angles of a needle-like triangle"). Where rounding makes a side longer than the sum of the others, its angle is
+// π.
 struct Measured_triangle
 {
   explicit Measured_triangle(const std::array<double, 3>& sides)
@@ -85,8 +86,8 @@ struct Flip_recorder
   }
 };
 
-// The variables are the values of u at the vertices of the surface; the copies of a vertex share one. Sums of angles, and
-// derivatives, are those of the double.
+// The variables are the values of u at the vertices of the surface; the copies of a vertex share one. Sums of angles
+// and derivatives refer to the double.
 class Conformal_system
 {
 public:
@@ -115,8 +116,8 @@ public:
     return targets.has_angle(v) ? sums_[v] - doubled_.factor() * targets.angle(v) : 0;
   }
   double sum_of_angles(std::size_t v) const { return sums_[v]; }
-  // Proven: a bound of all differences between the sum of the angles at a copy of a vertex, with exactly the lengths of the
-  // last evaluation, and the wanted one.
+  // A proven bound on all differences between the wanted sum of angles at a copy of a vertex and the one for exactly
+  // the lengths of the last evaluation.
   double residual(const Conformal_targets& targets) const
   {
     std::vector<int> copies(sums_.size(), 0);
@@ -137,7 +138,7 @@ public:
   // The derivative of the excess by u.
   double sensitivity(std::size_t v) const { return sensitivities_[v]; }
   double factor() const { return doubled_.factor(); }
-  // The area of a component, of both copies, and by the scale of the last evaluation.
+  // The area of a component, with both copies, in the scale of the last evaluation.
   double area(const Conformal_targets& targets, std::size_t component) const
   {
     double result = 0;
@@ -173,8 +174,8 @@ public:
     return solve_(right);
   }
 
-  // By conjugate gradients, with a relative error in energy of at most `precision`, or of 10^-4 if that is more: null if the
-  // last factorization is too far from the present model.
+  // As `solve()`, by conjugate gradients with a relative error in energy of at most `precision`, or 10^-4 if that is
+  // larger. Nothing if the last factorization is too far from the present model.
   std::optional<std::vector<double>> solve_by_last_factors(const std::vector<double>& right, double precision) const
   {
     constexpr int as_slow_as_factorization = 8;
@@ -203,7 +204,7 @@ public:
     return std::nullopt;
   }
 
-  // The change of the excesses, times -1, that a small change of u makes.
+  // Minus the change of the excesses for a small change of u.
   std::vector<double> product(const std::vector<double>& u) const
   {
     std::vector<double> result(u.size(), 0.);
@@ -233,8 +234,8 @@ private:
     }
   }
 
-  // Decisions are exact for the doubles with which a run begins. The bounds on the errors of lengths that depend on long
-  // chains of flips grow beyond use, so then the lengths are rounded, and another run begins.
+  // Decisions are exact for the doubles with which a run begins. In long chains of flips, the bounds on the errors of
+  // lengths become too large to be useful; then the lengths are rounded, and another run begins.
   void flip(const std::vector<double>& u)
   {
     using Triangulation = Intrinsic_triangulation<Ptolemy_traits<double>>;
@@ -307,7 +308,7 @@ private:
   const Factorize& factorize_;
   std::vector<Bounded_angle> corners_; // the sums of angles at the vertices of the double
   std::vector<double> sums_, sensitivities_,
-    areas_; // of the vertices of the surface; of a face, a third is at each corner
+    areas_; // for each vertex of the surface, a third of the area of each face at it
   std::vector<Weighted_pair> pairs_;
   std::vector<bool> is_fixed_; // in the linear model
   Solve solve_;

@@ -78,13 +78,14 @@ public:
     bool keeps_scale = false; // at some vertex
     bool has_border = false;
     double total() const { return two_pi * Euler_characteristic; } // of curvatures
-    // One unknown less, where u is 0 for now, if no vertex keeps its scale.
+    // The vertex where u is set to 0, one unknown less, if no vertex keeps its scale.
     bool is_pin(std::size_t v) const { return !keeps_scale && v == vertices.front(); }
   };
   const std::vector<Component>& components() const { return components_; }
   const Component& component_of(std::size_t v) const { return components_[component_of_[v]]; }
 
-  // The theorem of Gauss and Bonnet: angles that are wanted have the right sum, and leave some for other vertices.
+  // By the theorem of Gauss and Bonnet, the wanted angles must have the right sum, and must leave some angle for other
+  // vertices.
   void check_sums()
   {
     given_angles_ = angles_;

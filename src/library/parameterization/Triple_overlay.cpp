@@ -26,7 +26,8 @@ double fraction_of(double x, double from, double to)
 {
   return to > from ? (std::min)(1., (std::max)(0., (x - from) / (to - from))) : 0.5;
 }
-// What is at the fraction t of a line with homogeneous weights at its ends, in inhomogeneous coordinates.
+// The fraction in inhomogeneous coordinates of the point at the fraction t of a line with homogeneous weights at its
+// ends.
 double projective(double t, double weight_from, double weight_to)
 {
   const double sum = between(t, weight_from, weight_to);
@@ -91,7 +92,7 @@ void Triple_overlay::for_each_piece(const Visit& visit, const Progress_function&
 }
 
 // λ-lengths from the apex before the first gate to source and target of each gate, an edge of B that is crossed from right
-// to left, and to the apex after the last one: by Ptolemy's formula from each to the next, so nothing cancels.
+// to left, and to the apex after the last one: each from the one before by Ptolemy's formula, so nothing cancels.
 std::vector<std::array<double, 2>> Triple_overlay::lengths_to(const std::vector<Halfedge_index>& gates) const
 {
   std::array<double, 2> now{length(intrinsic_.prev(gates[0])), length(intrinsic_.next(gates[0]))};
@@ -138,8 +139,8 @@ void Triple_overlay::place_ideal_crossings(Edge_index e)
   }
 }
 
-// The crossings with edges of A, and those with edges of C, are each in order. The latter get places on the input: a part
-// between two crossings with A lies in one face of A.
+// Merges the crossings with edges of A and those with edges of C, each of which are in order. The latter get places
+// on the input: a part between two crossings with A lies in one face of A.
 void Triple_overlay::merge(Edge_index e)
 {
   std::vector<On_edge> given, ideal;
@@ -296,7 +297,7 @@ void Triple_overlay::cross(Overlay::Halfedge chord, Overlay::Segment segment, bo
   weights_.push_back(between(along_ideal, weight_c, weight_d));
 }
 
-// Where a halfedge of C meets the boundary; at a corner, it begins there or ends.
+// Where a halfedge of C meets the boundary; at a corner, it begins or ends.
 Triple_overlay::Ideal_point Triple_overlay::ideal_point(std::uint32_t node, Halfedge_index h, bool begins) const
 {
   const std::uint32_t number = local_[node].number;
@@ -305,7 +306,7 @@ Triple_overlay::Ideal_point Triple_overlay::ideal_point(std::uint32_t node, Half
   return {h, ((h.idx() & 1) != 0) == begins ? 1. : 0.};
 }
 
-// Around a face of B and C.
+// Collects the places around a face of B and C.
 void Triple_overlay::collect_places(Overlay::Face f)
 {
   sides_.clear();
@@ -329,7 +330,7 @@ void Triple_overlay::collect_places(Overlay::Face f)
     number_of_place_[places_[k].local] = k;
 }
 
-// Its source, and what is on it.
+// Collects the source of a side, and the nodes on it.
 void Triple_overlay::collect_side(Overlay::Halfedge h, Ideal_point first, Ideal_point second)
 {
   const Halfedge_index along = ideal_overlay_.intrinsic_halfedge(h);
@@ -376,7 +377,7 @@ void Triple_overlay::collect_side(Overlay::Halfedge h, Ideal_point first, Ideal_
   }
 }
 
-// Chords that do not cross: the shortest ones cut off pieces first.
+// Divides by chords that do not cross: the shortest ones cut off pieces first.
 void Triple_overlay::divide_by_chords(std::vector<Part_of_chord>& chords, const Visit& visit)
 {
   for (Part_of_chord& c : chords) {

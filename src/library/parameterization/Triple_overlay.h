@@ -23,10 +23,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// With A the input, B the Delaunay triangulation and C the ideal one, edges of A and of C are straight within faces of B:
-// those of C as lines of the projective model. So each face of B is divided by chords of both, which cross at most once. The
-// order of all ends around a face tells which chords cross, and in which order: pieces are found by integers, and numbers
-// decide only how ends of A and of C alternate on an edge of B.
+// With A the input, B the Delaunay triangulation and C the ideal one, edges of A and of C are straight within faces of
+// B; edges of C are straight in the projective model. So each face of B is divided by chords of both, which cross at
+// most once. The order of all ends around a face tells which chords cross, and in which order: pieces are found by
+// integers, and numbers decide only how ends of A and of C alternate on an edge of B.
 class Triple_overlay
 {
 public:
@@ -63,7 +63,7 @@ public:
 
   // Where nodes lie on the input, except for vertices of the surface, which come first.
   const std::vector<Surface_point>& nodes() const { return nodes_; }
-  // Of nodes: those of homogeneous coordinates in the new metric that are linear on faces of B.
+  // The weights of nodes: of homogeneous coordinates in the new metric that are linear on faces of B.
   const std::vector<double>& weights() const { return weights_; }
 
 private:
@@ -75,14 +75,15 @@ private:
   {
     double position, t;
   };
-  // On an edge of B, in the direction of 2e.
+  // A node on an edge of B, in the direction of 2e.
   struct On_edge
   {
     double position;
     std::uint32_t node;
     bool is_ideal;
   };
-  // Of a face of B: on its boundary, counterclockwise from its first corner, and then where chords cross.
+  // A node of a face of B: first those on its boundary, counterclockwise from its first corner, then those where chords
+  // cross.
   struct Local_node
   {
     std::uint32_t number;
@@ -97,8 +98,8 @@ private:
     std::uint32_t from, to;
     Overlay::Halfedge chord;
   };
-  // Of a chord of C with one of A, ordered from the source of halfedge 2s on: the nearer an end of the other chord to the
-  // right is to it, the earlier; with the same end, the farther the one to the left is.
+  // A crossing of a chord of C with one of A, in the order from the source of halfedge 2s: the nearer to it the other
+  // chord's end on the right is, the earlier; with the same end, the farther its end on the left is.
   struct Crossing
   {
     std::uint32_t segment, right, left, node;
@@ -118,7 +119,7 @@ private:
 
   double length(Halfedge_index h) const { return lengths_[intrinsic_.edge(h).idx()]; }
   double weight(std::uint32_t node) const { return weights_[local_[node].number]; }
-  // Counted around the boundary from a on.
+  // The number of a node, counted around the boundary from a on.
   std::uint32_t after(std::uint32_t a, std::uint32_t x) const { return x >= a ? x - a : x + size_of_boundary_ - a; }
   std::uint32_t source(Overlay::Halfedge h) const { return ideal_begins_[h.idx()]; }
   std::uint32_t target(Overlay::Halfedge h) const { return source(ideal_overlay_.next(h)); }
@@ -150,16 +151,16 @@ private:
   std::vector<double> weights_;
   std::vector<On_edge> on_edges_; // of B, one after the other
   std::vector<std::size_t> first_on_edge_;
-  // Nodes of the present face of B where halfedges in it begin; the number of each face of B and C there.
+  // The nodes of the present face of B where halfedges in it begin, and the number of each face of B and C in it.
   std::vector<std::uint32_t> input_begins_, ideal_begins_, numbers_;
-  // Of the present face of B:
+  // For the present face of B:
   std::vector<Local_node> local_;
   std::uint32_t size_of_boundary_ = 0;
   std::vector<Overlay::Halfedge> chords_; // of A, once from each end
   std::vector<Overlay::Face> faces_;      // of B and C
   std::vector<std::vector<Part_of_chord>> parts_;
   std::vector<Crossing> crossings_;
-  // Of the present face of B and C, counterclockwise; where local nodes are among places.
+  // For the present face of B and C, counterclockwise; and the positions of local nodes among places.
   std::vector<Overlay::Halfedge> sides_;
   std::vector<Ideal_point> corners_;
   std::vector<Place> places_;

@@ -101,7 +101,7 @@ private:
         worst = v;
     return worst;
   }
-  // Whether the excesses are as small as rounded lengths allow. What a pin has is the sum of all rounding.
+  // Whether the excesses are as small as rounded lengths allow. The excess of a pin is the sum of all rounding errors.
   bool is_sufficient(const Conformal_targets::Component& component) const
   {
     return std::all_of(component.vertices.begin(), component.vertices.end(), [&](std::size_t v) {
@@ -137,8 +137,9 @@ private:
     }
   }
 
-  // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
-  // a step as long as the product of the step and the excesses is not negative. Each component takes a part of its own.
+  // The gradient of the convex energy is half the difference of the wanted and the present angles. So the energy still
+  // falls at the end of a step as long as the product of the step and the excesses is not negative. Each component
+  // takes its own fraction of the step.
   void take(const std::vector<double>& step)
   {
     const std::vector<double> before = u_;

@@ -42,7 +42,7 @@ namespace {
 using Planar_point = Conformal_map::Point;
 using Planar_segment = std::array<Planar_point, 2>;
 
-// Other than a common end.
+// Whether segments have a common point other than a common end.
 bool have_common_point(Planar_segment first, Planar_segment second)
 {
   std::sort(first.begin(), first.end());
@@ -82,7 +82,7 @@ Planar_point between(const Planar_point& p, const Planar_point& q, double t)
   return {(1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1]};
 }
 
-// The overlay of the Delaunay triangulation of a surface and what flips have made of it.
+// The overlay of the Delaunay triangulation of a surface and the triangulation that flips make of it.
 Overlay overlay_of_flips(const Delta_complex& complex, const std::vector<Edge_index>& flips,
                          const Progress_function& progress)
 {
@@ -118,7 +118,7 @@ public:
   Conformal_map run(bool only_if_certified)
   {
     const Discrete_conformal_metric& metric = map_.metric;
-    // Of a double, only the overlay tells where the given half is.
+    // In a double, only the overlay tells where the given half is.
     std::vector<bool> is_inside(metric.triangulation.number_of_halfedges(), !doubled_.is_doubled);
     std::optional<Common_subdivision> subdivision;
     std::optional<Triple_overlay> overlay;
@@ -227,7 +227,7 @@ private:
       map_.places.push_back(place_of_vertex(v));
       map_.weights.push_back(image.is_valid() ? overlay.weights()[image.idx()] : 1);
     }
-    // In the order of the input faces.
+    // Sorts the pieces by input face.
     std::vector<std::size_t>& first = map_.first_of_face;
     first.assign(map_.input.number_of_faces() + 1, 0);
     std::vector<std::size_t> order(triangles.size()), next = first;
@@ -334,7 +334,7 @@ private:
     return {h.is_valid() ? map_.input.opposite(h) : h, {1, 0, 0}};
   }
 
-  // A point of the double's input that lies in a face of the first copy.
+  // The point of the given surface for a point of the double's input that lies in a face of the first copy.
   Surface_point given_place(const Surface_point& p) const
   {
     if (given_halfedge_[p.halfedge.idx()].is_valid())
@@ -388,7 +388,7 @@ private:
     }
   }
 
-  // Of the parts into which cuts divide an input triangle.
+  // Extends the largest of the parts into which cuts divide an input triangle.
   void extend_largest_part(Face_index f, const Conformal_layout& layout)
   {
     const std::size_t first = map_.first_of_face[f.idx()], n = map_.first_of_face[f.idx() + 1] - first;
@@ -430,7 +430,7 @@ private:
   const Doubled_surface::Triangulation& surface_;
   const Doubled_surface& doubled_;
   const Progress_function& progress_;
-  int unit_; // until its end, the map is in that of `doubled_`
+  int unit_; // the map is in the unit of `doubled_` until it is complete
   const Delta_complex& input_;
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
   std::vector<bool> is_divided_, has_image_;   // input faces; corners of them
