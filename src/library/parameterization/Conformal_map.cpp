@@ -17,12 +17,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace {
 
-using Point = Conformal_map::Point;
-
 // The barycentric coordinates of p in a triangle; the least is negative outside.
-std::array<double, 3> planar_coordinates(const std::array<Point, 3>& t, const Point& p)
+std::array<double, 3> planar_coordinates(const std::array<Conformal_map::Point, 3>& t, const Conformal_map::Point& p)
 {
-  std::array<Point, 3> d; // from p
+  std::array<Conformal_map::Point, 3> d; // from p
   double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     d[i] = {t[i][0] - p[0], t[i][1] - p[1]};
@@ -40,7 +38,7 @@ std::array<double, 3> planar_coordinates(const std::array<Point, 3>& t, const Po
 }
 
 // The point with these barycentric coordinates.
-Point planar_point(const std::array<Point, 3>& t, const std::array<double, 3>& x)
+Conformal_map::Point planar_point(const std::array<Conformal_map::Point, 3>& t, const std::array<double, 3>& x)
 {
   return {x[0] * t[0][0] + x[1] * t[1][0] + x[2] * t[2][0], x[0] * t[0][1] + x[1] * t[1][1] + x[2] * t[2][1]};
 }
