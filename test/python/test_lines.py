@@ -32,7 +32,7 @@ def test_isolines_are_circles():
 
 def test_a_line_is_a_source():
     V, F = plane(10)
-    line, = it.isolines(V, F, [60], [3], tolerance=0, chord_tolerance=1e-4)
+    line, = it.isolines(V, F, numpy.int32(60), [3], tolerance=0, chord_tolerance=1e-4)
     distances, _ = it.geodesic_distances_from(V, F, [line.places], tolerance=0)
     assert numpy.allclose(distances, abs(numpy.linalg.norm(V - V[60], axis=1) - 3), rtol=0, atol=2e-4)
     radii = numpy.linalg.norm(V - V[60], axis=1)
@@ -91,7 +91,7 @@ def test_farthest_vertices():
 def test_wrong_arguments():
     V, F = plane(2)
     with pytest.raises(it.InvalidArgumentError, match="positive"):
-        it.isolines(V, F, [0], [-1])
+        it.isolines(V, F, 0, [-1])
     with pytest.raises(it.InvalidArgumentError, match="other than 0"):
         it.offset_curves(V, F, [[0, 1, 0, 0], [0, 0, 0, 1]], [0])
     with pytest.raises(it.InvalidArgumentError, match="does not separate"):

@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+from numbers import Integral
 from typing import Any, Literal, Optional, Sequence, Tuple
 
 import numpy
@@ -210,11 +211,10 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
     ----------
     V, F, tolerance
         As for `geodesic_distances`.
-    sources : sequence
+    sources : sequence, or a vertex
         At least one. An integer is a vertex, two integers are an edge, four numbers are a point: the number of a triangle, and
         barycentric coordinates, as `EdgeFlipGeodesicSolver.locate` finds them. A (k, 4) array is a curve through such points,
-        each in the triangle of the one before,
-        or on an edge or at a vertex of it.
+        each in the triangle of the one before, or on an edge or at a vertex of it.
     offsets : (number of sources,) array of floats
         The distances at the sources, not negative; 0 by default.
     barriers : sequence
@@ -314,6 +314,8 @@ def _tolerance(tolerance: Any) -> float:
 def _placed(points: numpy.ndarray, faces: numpy.ndarray, sources: Sequence[Any], offsets: Optional[ArrayLike],
             barriers: Sequence[Any] = ()) -> tuple:
     """Return the triangles and coordinates of all points of sources and barriers, where each begins, and the offsets."""
+    if isinstance(sources, Integral):  # as geodesic_distances() takes one
+        sources = [sources]
     places = [_places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
     _arrays.require_sources(len(places), "sources")
     starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
