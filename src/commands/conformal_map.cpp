@@ -67,22 +67,30 @@ std::array<double, 3> in_space(const IT::Conformal_map& map, const Surface& surf
   return IT::point_in_space(map.input, surface.points, map.places[v]);
 }
 
+using Numbers_of_images = std::map<IT::Conformal_map::Point, std::size_t>;
+
+// Equal images have one number, so that viewers see where the map is continuous.
+void add_images(const std::array<IT::Conformal_map::Point, 3>& corners, Textured_mesh& mesh, Numbers_of_images& numbers)
+{
+  std::vector<std::size_t>& uv = mesh.uv_of_faces.emplace_back();
+  for (const IT::Conformal_map::Point& p : corners) {
+    const auto [place, is_new] = numbers.insert({p, mesh.uv.size()});
+    if (is_new)
+      mesh.uv.push_back(p);
+    uv.push_back(place->second);
+  }
+}
+
 Textured_mesh mesh_of(const IT::Conformal_map& map, const Surface& surface)
 {
   Textured_mesh mesh;
   mesh.is_exact = true;
   for (std::uint32_t v = 0; v < map.places.size(); ++v)
     mesh.points.push_back(in_space(map, surface, v));
-  std::map<IT::Conformal_map::Point, std::size_t> numbers;
+  Numbers_of_images numbers;
   for (std::size_t i = 0; i < map.triangles.size(); ++i) {
     mesh.faces.emplace_back(map.triangles[i].begin(), map.triangles[i].end());
-    std::vector<std::size_t>& uv = mesh.uv_of_faces.emplace_back();
-    for (const auto& p : map.uv[i]) {
-      const auto [place, is_new] = numbers.insert({p, mesh.uv.size()});
-      if (is_new)
-        mesh.uv.push_back(p);
-      uv.push_back(place->second);
-    }
+    add_images(map.uv[i], mesh, numbers);
   }
   return mesh;
 }
@@ -91,13 +99,11 @@ Textured_mesh input_of(const IT::Conformal_map& map, const Surface& surface)
 {
   Textured_mesh mesh = make_map_over_input(surface, {});
   mesh.is_exact = true;
+  Numbers_of_images numbers;
   for (IT::Face_index f : map.input.faces()) {
     const IT::Halfedge_index h = map.input.halfedge(f);
-    std::vector<std::size_t>& uv = mesh.uv_of_faces.emplace_back();
-    for (IT::Halfedge_index side : {h, map.input.next(h), map.input.prev(h)}) {
-      uv.push_back(mesh.uv.size());
-      mesh.uv.push_back(map.input_uv[side.idx()]);
-    }
+    const auto image = [&](IT::Halfedge_index side) { return map.input_uv[side.idx()]; };
+    add_images({image(h), image(map.input.next(h)), image(map.input.prev(h))}, mesh, numbers);
   }
   return mesh;
 }
