@@ -255,21 +255,25 @@ private:
   // 4 pi there is.
   void close_slits(const std::vector<std::vector<Halfedge_index>>& components)
   {
-    const std::vector<bool> is_once = go_around_once();
+    std::vector<Halfedge_index> slits;
     for (const std::vector<Halfedge_index>& placed : components) {
       double size = 0;
       for (Halfedge_index h : placed)
         size = (std::max)({size, std::abs(corner(h)[0]), std::abs(corner(h)[1])});
-      for (Halfedge_index h : placed) {
-        const Halfedge_index end = complex_.next(h), g = complex_.opposite(h);
-        const auto agree = [&](Halfedge_index a, Halfedge_index b) {
-          return is_once[complex_.source(a).idx()] &&
-                 std::abs(corner(a)[0] - corner(b)[0]) + std::abs(corner(a)[1] - corner(b)[1]) <= 1e-12 * size;
-        };
-        if (is_cut(h) && agree(h, complex_.next(g)) && agree(end, g))
-          is_cut_[complex_.edge(h).idx()] = false;
-      }
+      const auto agree = [&](const Point& p, const Point& q) {
+        return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) <= 1e-12 * size;
+      };
+      for (Halfedge_index h : placed)
+        if (const Halfedge_index g = complex_.opposite(h);
+            is_cut(h) && agree(corner(h), corner(complex_.next(g))) && agree(corner(complex_.next(h)), corner(g)))
+          slits.push_back(h);
     }
+    if (slits.empty())
+      return;
+    const std::vector<bool> is_once = go_around_once();
+    for (Halfedge_index h : slits)
+      if (is_once[complex_.source(h).idx()] && is_once[complex_.target(h).idx()])
+        is_cut_[complex_.edge(h).idx()] = false;
   }
 
   // Returns the halfedges whose sources were placed.
