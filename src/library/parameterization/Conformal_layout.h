@@ -175,22 +175,20 @@ private:
         push(complex_.target(h));
       }
     };
-    std::vector<Vertex_index> roots;
+    const auto start = [&](Vertex_index v) {
+      result[v.idx()] = 0;
+      push(v);
+    };
     for (Halfedge_index h : complex_.halfedges())
       if (is_inside(complex_.face(h)) && !is_inner(complex_.edge(h)))
         for (Vertex_index v : {complex_.source(h), complex_.target(h)})
-          if (result[v.idx()] != 0) {
-            result[v.idx()] = 0;
-            roots.push_back(v);
-          }
-    for (Vertex_index v : roots)
-      push(v);
+          if (result[v.idx()] != 0)
+            start(v);
     spread();
     for (bool wanted : {true, false})
       for (Vertex_index v : complex_.vertices())
         if (result[v.idx()] == infinity && is_end[v.idx()] == wanted) {
-          result[v.idx()] = 0;
-          push(v);
+          start(v);
           spread();
         }
     return result;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include "../connectivity/checked_coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,19 +69,13 @@ std::pair<std::size_t, std::array<double, 3>> best_triangle(std::size_t first, s
 
 Conformal_map::Point Conformal_map::to_plane(const Surface_point& point) const
 {
-  if (!(point.halfedge.idx() < input.number_of_halfedges()) || input.is_border(point.halfedge))
-    throw Invalid_point_error("a point has to be given in a face of the input");
-  for (double x : point.coordinates)
-    if (!(x >= 0 && x <= (std::numeric_limits<double>::max)()))
-      throw Invalid_point_error("a barycentric coordinate is negative or not finite");
-  if (point.coordinates == std::array<double, 3>{0, 0, 0})
-    throw Invalid_point_error("the barycentric coordinates of a point are all zero");
+  const std::array<double, 3> at = internal::checked_coordinates(input, point);
   const Face_index f = input.face(point.halfedge);
   if (first_of_face[f.idx()] == first_of_face[f.idx() + 1]) // all of it has one image, up to rounding
     return input_uv[input.halfedge(f).idx()];
-  const Point p = in_face({point.halfedge, internal::with_sum_one(point.coordinates)}, f);
-  const auto [i, x] = best_triangle(first_of_face[f.idx()], first_of_face[f.idx() + 1],
-                                    [&](std::size_t j) { return planar_coordinates(in_face(j), p); });
+  const auto [i, x] = best_triangle(first_of_face[f.idx()], first_of_face[f.idx() + 1], [&](std::size_t j) {
+    return planar_coordinates(in_face(j), {at[1], at[2]});
+  });
   return planar_point(uv[i], x);
 }
 

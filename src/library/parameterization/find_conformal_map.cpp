@@ -29,7 +29,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -120,21 +119,17 @@ public:
     const Discrete_conformal_metric& metric = map_.metric;
     // In a double, only the overlay tells where the given half is.
     std::vector<bool> is_inside(metric.triangulation.number_of_halfedges(), !doubled_.is_doubled);
-    std::optional<Common_subdivision> subdivision;
-    std::optional<Triple_overlay> overlay;
-    const auto make_overlay = [&] {
-      subdivision.emplace(doubled_.triangulation, parameters::visitor(part_of_progress(progress_, 0, 0.2)));
-      std::vector<double> u;
-      for (Vertex_index v : doubled_.vertices)
-        u.push_back(metric.u[v.idx()]);
-      overlay.emplace(
-        *subdivision, metric.triangulation,
-        overlay_of_flips(doubled_.triangulation.connectivity(), metric.flips, part_of_progress(progress_, 0.2, 0.4)),
-        doubled_.lengths, u, part_of_progress(progress_, 0.4, 0.5));
-    };
-    if (doubled_.is_doubled) {
-      make_overlay();
-      overlay->for_each_piece(
+    const Common_subdivision subdivision(doubled_.triangulation,
+                                         parameters::visitor(part_of_progress(progress_, 0, 0.2)));
+    std::vector<double> u;
+    for (Vertex_index v : doubled_.vertices)
+      u.push_back(metric.u[v.idx()]);
+    Triple_overlay overlay(
+      subdivision, metric.triangulation,
+      overlay_of_flips(doubled_.triangulation.connectivity(), metric.flips, part_of_progress(progress_, 0.2, 0.4)),
+      doubled_.lengths, u, part_of_progress(progress_, 0.4, 0.5));
+    if (doubled_.is_doubled)
+      overlay.for_each_piece(
         [&](const Triple_overlay::Piece& piece) {
           if (doubled_.is_given(piece.input))
             for (const Triple_overlay::Corner& corner : piece.corners)
@@ -142,7 +137,6 @@ public:
                 is_inside[corner.ideal.idx()] = true;
         },
         part_of_progress(progress_, 0.5, 0.6));
-    }
     std::vector<double> lengths;
     for (double l : metric.lengths)
       lengths.push_back(std::ldexp(l, -unit_));
@@ -151,9 +145,7 @@ public:
     map_.seam = std::ldexp(layout.seam(), unit_);
     if (only_if_certified && !map_.is_certified)
       return std::move(map_);
-    if (!overlay)
-      make_overlay();
-    add_triangles(*overlay, layout);
+    add_triangles(overlay, layout);
     map_.overlaps = have_common_points(border_);
     find_stretch();
     finish_input(layout);

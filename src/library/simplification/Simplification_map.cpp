@@ -4,6 +4,7 @@
 // Carries points through the steps of a simplification.
 
 #include "flat_layout.h"
+#include "../connectivity/checked_coordinates.h"
 
 #include <CGAL/Intrinsic_triangulations/Simplification_map.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -201,28 +202,6 @@ namespace {
 
 using Coordinates = std::array<double, 3>;
 
-// The point's coordinates with sum 1, in the order of `halfedge(f)` of its face.
-Coordinates checked_coordinates(const Delta_complex& complex, const Surface_point& point)
-{
-  const auto fail = [&](const char* what) {
-    throw Invalid_point_error("a point at halfedge " + std::to_string(point.halfedge.idx()) + " of a surface " + what);
-  };
-  if (point.halfedge.idx() >= complex.number_of_halfedges() || complex.is_border(point.halfedge))
-    fail("is not in a face");
-  double largest = 0;
-  for (double x : point.coordinates) {
-    if (!(x >= 0 && x <= (std::numeric_limits<double>::max)()))
-      fail("has a coordinate that is negative or not finite");
-    largest = (std::max)(largest, x);
-  }
-  if (largest == 0)
-    fail("has no positive coordinate");
-  Coordinates result = coordinates_from(complex, point, complex.halfedge(complex.face(point.halfedge)));
-  for (double& x : result)
-    x /= largest;
-  return internal::with_sum_one(result);
-}
-
 // Points by the triangles that they are in.
 class Points_by_triangle
 {
@@ -269,7 +248,7 @@ std::vector<Surface_point> Simplification_map::carried(const std::vector<Surface
   std::vector<Coordinates> coordinates;
   coordinates.reserve(points.size());
   for (const Surface_point& point : points) {
-    coordinates.push_back(checked_coordinates(from, point));
+    coordinates.push_back(internal::checked_coordinates(from, point));
     by_triangle.add(number_of_face(from.face(point.halfedge), is_forward), std::uint32_t(coordinates.size() - 1));
   }
   for_each_step(is_forward, [&](Carrier carrier) {
@@ -308,7 +287,8 @@ std::vector<Simplification_map::Line> Simplification_map::lines_to_fine(const st
     const auto& [from, to] = lines[i];
     if (to.halfedge != from.halfedge)
       throw Invalid_point_error("the ends of line " + std::to_string(i) + " do not have the same halfedge");
-    parts.push_back({i, 0, 1, checked_coordinates(coarse_, from), checked_coordinates(coarse_, to)});
+    parts.push_back(
+      {i, 0, 1, internal::checked_coordinates(coarse_, from), internal::checked_coordinates(coarse_, to)});
     by_triangle.add(number_of_face(coarse_.face(from.halfedge), false), std::uint32_t(i));
   }
   std::vector<std::pair<std::uint32_t, Part>> found;
