@@ -51,8 +51,10 @@ public:
     }
     u_ = system_.solve(right);
     for (const Part& part : open_)
-      if (part.is_closed)
-        center(part);
+      if (part.is_closed) {
+        const auto [least, most] = range(part);
+        shift(part, u_, (least + most) / 2);
+      }
     for (choose_next(); !open_.empty(); choose_next()) {
       std::fill(right.begin(), right.end(), 0.);
       for (const Part& part : open_) {
@@ -143,11 +145,6 @@ private:
     for (std::size_t v : *part.members)
       result = {(std::min)(result.first, u_[v]), (std::max)(result.second, u_[v])};
     return result;
-  }
-  void center(const Part& part)
-  {
-    const auto [least, most] = range(part);
-    shift(part, u_, (least + most) / 2);
   }
   static void shift(const Part& part, std::vector<double>& u, double value)
   {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
@@ -36,21 +37,19 @@ inline std::string shown(double x, int digits = 17)
 class Conformal_targets
 {
 public:
-  // \param lengths of the edges of the surface's input
   // \exception Invalid_argument_error as discrete_conformal_metric()
-  Conformal_targets(const Delta_complex& surface, const std::vector<double>& border_lengths,
-                    const Conformal_options& options)
-    : surface_(surface), kinds_(surface.number_of_vertices(), Kind::ANGLE), is_on_border_(kinds_.size()),
-      angles_(kinds_.size(), two_pi)
+  Conformal_targets(const Doubled_surface::Triangulation& surface, const Conformal_options& options)
+    : surface_(surface.connectivity()), kinds_(surface_.number_of_vertices(), Kind::ANGLE),
+      is_on_border_(kinds_.size()), angles_(kinds_.size(), two_pi)
   {
-    for (Vertex_index v : surface.vertices())
-      if (!surface.halfedge(v).is_valid())
+    for (Vertex_index v : surface_.vertices())
+      if (!surface_.halfedge(v).is_valid())
         kinds_[v.idx()] = Kind::ISOLATED;
       else
-        is_on_border_[v.idx()] = surface.is_border(surface.halfedge(v));
+        is_on_border_[v.idx()] = surface_.is_border(surface_.halfedge(v));
     find_components();
     set_given(options);
-    set_border(border_lengths, options);
+    set_border(surface, options);
   }
 
   // A vertex without an angle keeps its scale.
@@ -187,7 +186,7 @@ private:
       }
   }
 
-  void set_border(const std::vector<double>& border_lengths, const Conformal_options& options)
+  void set_border(const Doubled_surface::Triangulation& surface, const Conformal_options& options)
   {
     const auto for_each_border_vertex = [&](const auto& f) {
       for (std::size_t v = 0; v < kinds_.size(); ++v)
@@ -219,12 +218,12 @@ private:
           to(h);
     };
     for_each_border_halfedge([&](Halfedge_index h) {
-      perimeters[component_of_[surface_.source(h).idx()]] += border_lengths[surface_.edge(h).idx()];
+      perimeters[component_of_[surface_.source(h).idx()]] += surface.length(surface_.edge(h));
     });
     for_each_border_halfedge([&](Halfedge_index h) {
       for (Vertex_index v : {surface_.source(h), surface_.target(h)}) {
         const std::size_t i = component_of_[v.idx()];
-        angles_[v.idx()] -= turns[i] * (border_lengths[surface_.edge(h).idx()] / (2 * perimeters[i]));
+        angles_[v.idx()] -= turns[i] * (surface.length(surface_.edge(h)) / (2 * perimeters[i]));
       }
     });
     for_each_border_vertex([&](std::size_t v) {

@@ -28,20 +28,12 @@ namespace {
 constexpr double tolerable_error = 1e-10;
 constexpr int maximum_number_of_steps = 100;
 
-std::vector<double> lengths_of_border(const Doubled_surface::Triangulation& surface)
-{
-  std::vector<double> result;
-  for (Edge_index e : surface.connectivity().edges())
-    result.push_back(surface.connectivity().is_border(e) ? surface.length(e) : 0);
-  return result;
-}
-
 class Conformal_solver
 {
 public:
   Conformal_solver(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
                    const Conformal_options& options, const Factorize& factorize)
-    : doubled_(doubled), options_(options), targets_(surface.connectivity(), lengths_of_border(surface), options),
+    : doubled_(doubled), options_(options), targets_(surface, options),
       system_(doubled, surface.connectivity().number_of_vertices(), options, factorize),
       u_(surface.connectivity().number_of_vertices(), 0.)
   {}
