@@ -384,8 +384,6 @@ private:
   void extend_largest_part(Face_index f, const Conformal_layout& layout)
   {
     const std::size_t first = map_.first_of_face[f.idx()], n = map_.first_of_face[f.idx() + 1] - first;
-    if (n == 0)
-      return;
     Disjoint_sets parts(n);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> open; // sides
     std::vector<double> areas(n), sums(n, 0.);
