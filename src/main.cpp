@@ -61,10 +61,6 @@ int main(int argc, char** argv)
     }
     try {
       std::vector<std::string> arguments(argv + (argc > 0), argv + argc);
-      if (!arguments.empty() && arguments.front() == "help") {
-        arguments.erase(arguments.begin());
-        arguments.push_back("--help");
-      }
       idt::check_values(app, arguments);
       idt::parse(app, std::move(arguments));
       idt::Progress::set_shown(!is_quiet);

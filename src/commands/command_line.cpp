@@ -73,6 +73,16 @@ std::vector<std::string> possible_words(const CLI::App& app, bool is_option)
   return words;
 }
 
+// For who names the output as a second input.
+std::string output_advice(const CLI::App& app, const std::string& word)
+{
+  for (const CLI::App* command : app.get_subcommands())
+    if (const CLI::Option* const output = command->get_option_no_throw("--output");
+        output && output->count() == 0 && word[0] != '-' && word.find('.') != std::string::npos)
+      return "; did you mean -o " + word + "?";
+  return std::string();
+}
+
 // Which options write files, for who looks for one that all subcommands have.
 std::string writing_options(const CLI::App& app)
 {
@@ -118,6 +128,20 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
 
 void parse(CLI::App& app, std::vector<std::string> arguments)
 {
+  const bool is_help = !arguments.empty() && arguments[0] == "help";
+  if (is_help)
+    arguments.erase(arguments.begin());
+  // CLI11 would print the help of the whole command for an unknown subcommand with --help.
+  if (!arguments.empty() && arguments[0][0] != '-' && find_subcommand(app, arguments[0]) == nullptr) {
+    std::vector<std::string> words = possible_words(app, false);
+    words.push_back("help");
+    const std::string near = suggestion(arguments[0], words);
+    throw CLI::ParseError("There is no subcommand " + arguments[0] +
+                            (near.empty() ? ", but " + boost::join(words, ", ") : near),
+                          CLI::ExitCodes::ExtrasError);
+  }
+  if (is_help)
+    arguments.push_back("--help");
   std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
   const auto name_unknown = [&app] {
     std::vector<std::string> unknown = app.remaining(true);
@@ -126,7 +150,8 @@ void parse(CLI::App& app, std::vector<std::string> arguments)
     const std::string word = unknown.front().substr(0, unknown.front().find('='));
     const bool is_output = word == "-o" || word == "--output";
     throw CLI::ParseError(CLI::ExtrasError({unknown.front()}).what() +
-                            (is_output ? writing_options(app) : suggestion(word, possible_words(app, word[0] == '-'))),
+                            (is_output ? writing_options(app) : suggestion(word, possible_words(app, word[0] == '-'))) +
+                            output_advice(app, word),
                           CLI::ExitCodes::ExtrasError);
   };
   // Messages of CLI11 are "Could not convert: --option = value", "--option: 1 required F missing" and "--option: At

@@ -18,7 +18,7 @@ namespace idt {
 // \exception Usage_error
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
 
-// Parses.
+// Parses; a first word `help` asks for help.
 // \exception CLI::ParseError that names a wrong word and a likely meaning, rather than a missing argument beside it
 void parse(CLI::App& app, std::vector<std::string> arguments);
 

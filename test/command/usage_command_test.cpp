@@ -86,9 +86,14 @@ TEST_F(Command_usage, the_nearest_word_is_named)
   expect_refused("distance kite.off --source 0 --cover tuffted", "did you mean tufted?");
   expect_refused("distance kite.off --source 0 --cover x", "{tufted,none}");
   expect_refused("sample bumby-dome", "did you mean bumpy-dome?");
-  const Command_run run = idt("xyzzy");
-  EXPECT_EQ(run.status, 2);
-  EXPECT_FALSE(contains(run.err, "did you mean")) << run.err;
+  expect_refused("helo", "did you mean help?");
+  expect_refused("view kite.off page.html", "not expected: page.html; did you mean -o page.html?");
+  expect_refused("help refin", "did you mean refine?");
+  expect_refused("refin --help", "did you mean refine?");
+  for (const char* arguments : {"convert", "help convert", "convert --help"}) {
+    expect_refused(arguments, "There is no subcommand convert, but triangulate, refine, ");
+    EXPECT_EQ(idt(arguments).out, "");
+  }
   EXPECT_EQ(idt("sample x").out, "");
 }
 
