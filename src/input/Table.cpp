@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
+#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 
 #include <cmath>
@@ -14,7 +15,8 @@
 
 namespace idt {
 
-Table::Table(const std::string& path) : path_(path), file_(path)
+Table::Table(const std::string& path, const std::string& other_separators)
+  : path_(path), other_separators_(other_separators), file_(path)
 {
   if (!file_)
     fail("the file cannot be opened");
@@ -29,7 +31,10 @@ bool Table::next()
       text.pop_back();
     if (text.empty() || text[0] == '#')
       continue;
-    boost::split(cells_, text, [](char c) { return c == ','; });
+    if (other_separators_.empty() || text.find(',') != std::string::npos)
+      boost::split(cells_, text, [](char c) { return c == ','; });
+    else
+      boost::split(cells_, text, boost::is_any_of(other_separators_), boost::token_compress_on);
     return true;
   }
   if (file_.bad())

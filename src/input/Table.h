@@ -19,7 +19,8 @@ namespace idt {
 class Table
 {
 public:
-  explicit Table(const std::string& path);
+  // \param other_separators that separate cells, too, in lines without a comma
+  explicit Table(const std::string& path, const std::string& other_separators = "");
 
   // Reads a line; returns false at the end.
   bool next();
@@ -39,7 +40,7 @@ public:
   [[noreturn]] void fail(const std::string& what) const;
 
 private:
-  std::string path_;
+  std::string path_, other_separators_;
   std::ifstream file_;
   std::vector<std::string> cells_;
   std::size_t line_ = 0;

@@ -73,7 +73,7 @@ std::vector<std::vector<Place>> read_places(const std::string& path)
 std::vector<std::pair<std::uint64_t, std::uint64_t>> read_vertex_pairs(const std::string& path)
 {
   std::vector<std::pair<std::uint64_t, std::uint64_t>> result;
-  Table table(path);
+  Table table(path, " \t;"); // as the files of --constraints
   while (table.next()) {
     if (table.cells().size() != 2)
       table.fail("expected are two vertices");

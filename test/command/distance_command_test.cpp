@@ -355,6 +355,7 @@ TEST_F(Distance_command, walks_around_barriers)
     EXPECT_EQ(distances("d.csv")[1], 1);
     EXPECT_EQ(content(folder_ / "l.csv"), "vertex,source\n0,0\n1,0\n2,1\n3,0\n4,1\n5,1\n");
   }
+  write("edge.csv", "1\t 4\n"); // as for --constraints
   ASSERT_EQ(idt("distance strip.off --source 0 --barrier-edges edge.csv -o d.csv").status, 0);
   EXPECT_EQ(distances("d.csv")[2], std::numeric_limits<double>::infinity());
   ASSERT_EQ(idt("distance strip.off --source 1 --barrier-edges edge.csv -o d.csv --method heat").status, 0);
