@@ -9,6 +9,7 @@
 #include "commands/triangulate.h"
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
+#include "input/ply_values.h"
 #include "input/vertex_values.h"
 #include "output/Output_file.h"
 #include "view/View.h"
@@ -45,8 +46,26 @@ Exit_status view_triangles(const std::string& path, const View_options& options)
     for (Named_values& column : values.columns)
       view.fields.push_back({column.name, "", values.is_of_faces, {std::move(column.values)}});
   }
+  for (Named_values& column : read_ply_values(path))
+    view.fields.push_back({column.name, "", false, {std::move(column.values)}});
   write_view(options.files.view, view);
   return Exit_status::DONE;
+}
+
+// What the file of a surface has at its vertices, which a repair can have merged, copied or removed.
+Element_values own_values(const Surface& surface)
+{
+  Element_values result;
+  if (surface.has_points() && !surface.saved)
+    result.columns = read_ply_values(surface.path);
+  if (surface.repair)
+    for (Named_values& column : result.columns) {
+      std::vector<double> values;
+      for (std::size_t v : surface.repair->input_vertices)
+        values.push_back(column.values[v]);
+      column.values = std::move(values);
+    }
+  return result;
 }
 
 // Whether a mesh with this defect can be drawn.
@@ -63,6 +82,7 @@ Exit_status view_surface(Surface surface, const View_options& options)
   for (const std::string& table : options.values)
     tables.push_back(
       read_element_values(table, surface.connectivity.number_of_vertices(), surface.connectivity.number_of_faces()));
+  tables.push_back(own_values(surface));
   Run_options run_options;
   run_options.keeps_saved = true;
   options.files.add_to(run_options.wanted);
