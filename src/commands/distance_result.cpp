@@ -133,6 +133,19 @@ void write_samples(std::ostream& os, const Distance_result& result)
     os << sample.vertex.idx() << ',' << in_full(sample.distance) << '\n';
 }
 
+// The nearest source of each face of the input, and NaN between them.
+std::vector<double> labels_of_faces(const Distance_result& result)
+{
+  std::vector<double> labels;
+  for (const auto& [a, b, c] : result.triangles) {
+    const std::uint32_t label = result.nearest_sources[a];
+    const bool is_one = result.nearest_sources[b] == label && result.nearest_sources[c] == label &&
+                        label != IT::Geodesic_distances::no_source;
+    labels.push_back(is_one ? double(label) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return labels;
+}
+
 View view_of(const Distance_options& options, const Distance_result& result)
 {
   View view =
@@ -144,6 +157,10 @@ View view_of(const Distance_options& options, const Distance_result& result)
                          "in the unit of the input",
                          false,
                          {result.subdivision ? result.overlay_distances.values : result.distances}});
+  // Barriers within faces cut these.
+  if (!options.labels_path.empty() &&
+      (!result.subdivision || result.subdivision->input().number_of_faces() == result.triangles.size()))
+    view.fields.push_back({"nearest source", "", true, {labels_of_faces(result)}});
   view.path = result.source_curves;
   view.path_name = "lines with distance zero";
   view.marks = result.source_points;
@@ -151,6 +168,10 @@ View view_of(const Distance_options& options, const Distance_result& result)
     for (std::uint64_t v : options.sources.vertices)
       view.marks.push_back(result.points[v]);
   view.marks_name = counted(view.marks.size(), "point", "points") + " with distance zero";
+  for (const IT::Farthest_vertex& sample : result.samples)
+    view.marks.push_back(result.points[sample.vertex.idx()]);
+  if (!result.samples.empty())
+    view.marks_name += ", and " + counted(result.samples.size(), "chosen vertex", "chosen vertices");
   if (options.lines.are_wanted())
     result.lines.show(view, result.points);
   return view;

@@ -390,7 +390,7 @@ Exit_status run_geodesic(Geodesic_options options)
                                       [&](const Triangulation& t) { return end_curve(options, t, surface.points); });
       if (has_view)
         view = make_view(path,
-                         options.direction     ? "the same, for a line crosses edges"
+                         options.direction     ? "the same, as the line crosses edges"
                          : options.is_shortest ? "triangulation with the line as edges, after Delaunay flips"
                                                : "triangulation with the line as edges",
                          IT::Common_subdivision(triangulation), surface.points, input_numbers,

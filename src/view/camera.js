@@ -38,18 +38,23 @@ class Orbit_camera {
     this.look_from("oblique");
   }
 
-  // \param name one of `views_of_camera`
-  look_from(name) {
+  // \param name one of `views_of_camera` \param turned by so many degrees more to the right
+  look_from(name, turned = 0) {
     let [pitch, yaw] = views_of_camera[name];
     const front = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), this.up);
-    if (name === "oblique") { // a long one from its side, a flat one from above
+    if (name === "oblique") { // a long one from its side, a flat one from above, an upright plane from its front
       const [width, height, depth] = [0, 1, 2].map(i => Math.abs(new THREE.Vector3().setComponent(i, 1).applyQuaternion(front).dot(this.box)));
       [pitch, yaw] = [height < 0.3 * Math.min(width, depth) ? 45 : pitch, depth > 1.5 * width ? 90 - yaw : yaw];
+      if (Math.min(width, depth) < 1e-6 * height)
+        [pitch, yaw] = [0, width < depth ? 90 : 0];
     }
     this.flight = null;
-    this.turn = front.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(-pitch * Math.PI / 180, yaw * Math.PI / 180, 0, "YXZ")));
+    this.turn = front.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(-pitch * Math.PI / 180, (yaw + turned) * Math.PI / 180, 0, "YXZ")));
     this.show_all();
   }
+
+  // From the point in view.
+  get direction() { return new THREE.Vector3(0, 0, 1).applyQuaternion(this.turn); }
 
   show_all() {
     this.center = new THREE.Vector3();

@@ -67,6 +67,22 @@ function lines_of_sight(from, directions, own) {
   return lengths;
 }
 
+// Walks around the surface until most of the lines and points on it are seen, if many are not.
+function look_at_lines(picture) {
+  const drawn = [...points_of(read_places("marks")), ...points_of(read_places("path"))].filter(p => !isNaN(p.x));
+  if (drawn.length === 0 || picture.path_field)
+    return;
+  const size = Math.min(drawn.length, 12, Math.ceil(3e6 / surface.corners.length));
+  const sample = Array.from({ length: size }, (_, i) => drawn[Math.floor((i + 0.5) * drawn.length / size)]);
+  const { control } = picture, seen = [0, 90, 180, 270].map(angle => {
+    control.look_from("oblique", angle);
+    const { direction } = control;
+    return sample.filter(p => lines_of_sight(p.clone().addScaledVector(direction, 1e-3 * page.radius), [direction], [])[0] === Infinity).length;
+  });
+  const most = Math.max(...seen);
+  control.look_from("oblique", most > seen[0] + size / 4 ? 90 * seen.indexOf(most) : 0);
+}
+
 // Around a direction, and around the opposite one.
 function directions_around(normal) {
   const u = new THREE.Vector3(normal.y, normal.z, normal.x).cross(normal).normalize(), v = new THREE.Vector3().crossVectors(normal, u);

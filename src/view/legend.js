@@ -28,6 +28,7 @@ class Legend {
     // First what tells something: not a constant eigenfunction.
     const own = this.fields.slice(0, -1), first = Math.max(0, own.findIndex(field => !field.is_constant));
     by_id("colours").value = page.has_plane ? "checkerboard" : own.length > 0 ? first : picture.path || are_edges_short(picture, 12) ? "plain" : "faces";
+    by_id("isolines").checked = !/isolines/.test(page.path); // those asked for are there
     by_id("colours").addEventListener("change", () => this.choose());
     by_id("scale-kind").addEventListener("change", () => this.show(by_id("scale-kind").value));
     by_id("isolines").addEventListener("change", () => this.show(by_id("scale-kind").value));
@@ -58,13 +59,14 @@ class Legend {
 
   // What the colours do not tell.
   notes(scale) {
-    const { lowest, highest, missing, infinite, of_faces } = this.field, notes = [], where = of_faces ? " faces" : " vertices";
+    const { lowest, highest, missing, infinite, of_faces } = this.field, notes = [];
+    const [one, many] = of_faces ? ["face", "faces"] : ["vertex", "vertices"], where = n => n.toLocaleString("en") + " " + (n === 1 ? one : many);
     if (!scale.is_flat && (lowest !== scale.low || highest !== scale.high))
       notes.push("all numbers: " + text_of(lowest) + " to " + text_of(highest));
     if (missing > 0)
-      notes.push("gray: no number at " + missing.toLocaleString("en") + where);
+      notes.push("gray: no number at " + where(missing));
     if (infinite > 0)
-      notes.push("gray: infinite at " + infinite.toLocaleString("en") + where);
+      notes.push("gray: infinite at " + where(infinite));
     if (scale.is_log && lowest <= 0)
       notes.push("gray: not positive, so there is no logarithm");
     return notes;

@@ -59,9 +59,9 @@ function make_path(path, numbers, scale) {
       const class_of = scale ? Math.round(Math.min(1, Math.max(0, scale.place(numbers[i / 3]))) * (colours.length - 1)) : 0;
       segments[class_of].push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
     }
-  const number = segments.reduce((sum, part) => sum + part.length, 0), width = !isNaN(path[0]) ? 5 : number < 3000 ? 3 : 2;
+  const number = segments.reduce((sum, part) => sum + part.length, 0), is_many = path.filter(isNaN).length > 3 * 12, width = !isNaN(path[0]) ? 5 : number < 3000 ? 3 : 2;
   const lines = segments.map((part, i) => make_line(part, colours[i], width));
-  return new THREE.Group().add(...scale ? lines : lines.map(with_hidden_parts));
+  return new THREE.Group().add(...scale || is_many ? lines : lines.map(with_hidden_parts));
 }
 
 function make_points(places, colour, width, options) {

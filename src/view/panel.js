@@ -8,8 +8,8 @@
 function by_id(id) { return document.getElementById(id); }
 
 function write_head() {
-  const counts = t => [["vertices", t.number_of_vertices], ["edges", t.number_of_edges], ["faces", t.number_of_faces]]
-    .map(([name, n]) => n.toLocaleString("en") + " " + name).join(", ");
+  const counts = t => [["vertex", "vertices", t.number_of_vertices], ["edge", "edges", t.number_of_edges], ["face", "faces", t.number_of_faces]]
+    .map(([one, many, n]) => n.toLocaleString("en") + " " + (n === 1 ? one : many)).join(", ");
   const paragraph = text => by_id("counts").appendChild(document.createElement("p")).append(text);
   document.title = by_id("title").textContent = page.title;
   paragraph("input: " + counts(triangulations[0]));
@@ -36,10 +36,10 @@ function start_edges(picture) {
     is_switched = true;
     show();
   }));
-  // By themselves they do not cover numbers.
+  // By themselves they cover neither numbers nor coloured lines.
   return has_numbers => {
     if (!is_switched)
-      boxes.forEach(box => (box.checked = !page.has_plane && !(has_numbers && are_edges_short(picture, 24))));
+      boxes.forEach(box => (box.checked = !page.has_plane && !picture.path_field && !(has_numbers && are_edges_short(picture, 24))));
     show();
   };
 }
@@ -149,6 +149,7 @@ async function start_page() {
   const picture = new Picture(by_id("canvas")), show_edges = start_edges(picture);
   const legend = new Legend(picture, show_edges);
   start_camera_panel(picture);
+  look_at_lines(picture);
   start_switches(picture);
   by_id("save").addEventListener("click", () => save_picture(picture, legend));
   if (picture.is_slow) { // it appears before it is counted
