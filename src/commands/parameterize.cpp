@@ -263,6 +263,11 @@ Exit_status run_parameterize(Parameterize_options options)
       throw IT::Numerical_error(error.what() + (other.empty()
                                                   ? "; cut the surface open along its length, or map a part of it"
                                                   : "; try " + other));
+    } catch (const IT::Invalid_surface_error& error) {
+      if (error.defect() != IT::Invalid_surface_error::Defect::WRONG_TOPOLOGY)
+        throw;
+      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
+                                      error.what() + std::string("; --method conformal takes any surface"));
     }
     result.seconds = stopwatch.seconds();
     result.on_input = quality(surface.connectivity, outcome.input_numbers, result.uv);

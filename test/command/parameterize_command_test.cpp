@@ -326,6 +326,7 @@ TEST_F(Parameterize_command, says_what_is_wrong)
   const Command_run closed = idt("parameterize torus.off");
   EXPECT_EQ(closed.status, 3);
   EXPECT_TRUE(contains(closed.err, "torus.off: a map to the plane needs a disk")) << closed.err;
+  EXPECT_TRUE(contains(closed.err, "; --method conformal takes any surface")) << closed.err;
   EXPECT_EQ(closed.out, "");
   write_disk();
   for (const char* options :
