@@ -554,6 +554,37 @@ TEST(Geodesic_distances, over_an_edge_that_is_nearly_nothing)
   EXPECT_DOUBLE_EQ(IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(0)}).distances[1], 2e-162);
 }
 
+// Two faces on an edge, from both sides, whose third corners are at one place beside it: there the surface has an edge
+// shorter than rounding. Distances are those with one vertex there.
+TEST(Geodesic_distances, beside_needles_thinner_than_rounding)
+{
+  const Points points{{0, 0, 0.76812043597273227},
+                      {1, 0, 0.25402713049860204},
+                      {2, 0, 0.1865818574574763},
+                      {0, 1, 0.1170165956704997},
+                      {0.85733458288936415, 0.99740622552767322, 0.46498334740505948},
+                      {2, 1, 0.75716847757482297},
+                      {0, 2, 0.58830421500402641},
+                      {1, 2, 0.38438685565570818},
+                      {2, 2, 0.29835897649965609},
+                      {0.305809211076149, 0.99907480680130911, 0.24113551021381741},
+                      {0.305809211076149, 0.99907480680130911, 0.24113551021381741}};
+  Triangles triangles{{0, 1, 4}, {1, 2, 4}, {2, 5, 4},  {3, 7, 6},  {4, 5, 7}, {3, 0, 9},
+                      {0, 4, 9}, {7, 5, 8}, {4, 7, 10}, {7, 3, 10}, {4, 3, 9}, {3, 4, 10}};
+  const Triangulation needles = Delaunay(points, triangles);
+  triangles.resize(10);
+  for (auto& t : triangles)
+    std::replace(t.begin(), t.end(), std::uint32_t(10), std::uint32_t(9));
+  const Triangulation without = Delaunay(Points(points.begin(), points.end() - 1), triangles);
+  for (std::uint32_t v = 0; v < 10; ++v) {
+    const auto np = CGAL::parameters::tolerance(0.);
+    const std::vector<double> found = IT::geodesic_distances(needles, {Vertex_index(v)}, np).distances,
+                              expected = IT::geodesic_distances(without, {Vertex_index(v)}, np).distances;
+    for (std::size_t w = 0; w < 10; ++w)
+      EXPECT_NEAR(found[w], expected[w], 1e-14) << v << ' ' << w;
+  }
+}
+
 TEST(Geodesic_distances, stay_between_line_and_edges_if_the_budget_ends)
 {
   Points points;

@@ -179,6 +179,9 @@ private:
   {
     w.side = side;
     const double length = surface_.side(w.side).length;
+    // No way goes there: where a face is thinner than rounding, it cannot be told where the way to its corner crosses.
+    if (w.y < -1e-12 * (w.kind == Window::FRONT ? 1 : std::abs(w.x) + length))
+      return;
     w.b0 = (std::max)(w.b0, 0.);
     w.b1 = (std::min)(w.b1, length);
     w.y = (std::max)(w.y, 0.);
