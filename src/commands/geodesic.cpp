@@ -180,28 +180,54 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
   return IT::vertex_at_point(triangulation, nearest);
 }
 
-// The initial curve, along edges from stop to stop; and the length of the shortest path.
-std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Triangulation& triangulation,
-                                           const std::vector<IT::Vertex_index>& stops, Geodesic_result& curve)
+using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
+
+// A path in a network, which is shortened.
+void shorten(const Triangulation& triangulation, Network& network, std::size_t path, Geodesic_result& curve)
 {
-  std::vector<IT::Halfedge_index> result;
-  if (options.is_shortest) {
-    curve.distance = 0;
-    IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
+  const IT::Geodesic_report report = network.shorten(CGAL::parameters::visitor(&goes_on));
+  curve.report.flips += report.flips;
+  curve.length += network.length(path);
+  if (curve.is_geodesic) {
+    curve.is_geodesic = network.is_geodesic(path);
+    curve.status = name(network.status(path));
   }
+  const std::vector<IT::Surface_point> points = IT::geodesic_points(triangulation, network.halfedges(path));
+  if (!curve.points.empty() && !points.empty())
+    curve.points.pop_back();
+  curve.points.insert(curve.points.end(), points.begin(), points.end());
+  if (network.status(path) == IT::Geodesic_status::CONTRACTIBLE)
+    curve.vertex = network.contraction(path);
+}
+
+// Calls a function, and names stops as the user does if there is no path from one to the next.
+template <class Function>
+auto with_names(const std::vector<std::string>& names, std::size_t i, const Function& find)
+{
+  try {
+    return find();
+  } catch (const IT::Invalid_argument_error&) {
+    throw IT::Invalid_argument_error("no path leads from " + names[i] + " to " + names[i + 1] +
+                                     ": choose two of the same component");
+  }
+}
+
+// From stop to stop; the search for a part flips edges of those before.
+void find_shortest(Triangulation& triangulation, const std::vector<IT::Vertex_index>& stops,
+                   const std::vector<std::string>& names, Geodesic_result& curve)
+{
+  IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
+  Network network(triangulation);
+  curve.distance = 0;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    std::vector<IT::Halfedge_index> part;
-    if (options.is_shortest) {
-      IT::Shortest_path found =
-        IT::shortest_path(triangulation, stops[i], stops[i + 1], CGAL::parameters::visitor(&goes_on));
-      *curve.distance += found.distance;
-      part = std::move(found.halfedges);
-    } else {
-      part = IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]);
-    }
-    result.insert(result.end(), part.begin(), part.end());
+    if (i > 0)
+      network.rewind();
+    const IT::Shortest_path found = with_names(names, i, [&] {
+      return IT::shortest_path(triangulation, stops[i], stops[i + 1], CGAL::parameters::visitor(&goes_on));
+    });
+    *curve.distance += found.distance;
+    shorten(triangulation, network, network.add_path(found.halfedges), curve);
   }
-  return result;
 }
 
 // The curve at which the path ends, on a Delaunay triangulation.
@@ -221,7 +247,9 @@ Geodesic_result find_path(const Geodesic_options& options, const Surface& surfac
 {
   Geodesic_result curve;
   std::vector<IT::Vertex_index> stops;
+  std::vector<std::string> names;
   const auto add_stop = [&](const std::string& option, const std::string& text) {
+    names.push_back((text.find(',') == std::string::npos ? "vertex " : "the point ") + text);
     stops.push_back(vertex(surface, triangulation, option, text, curve.snaps));
   };
   add_stop("--from", options.from);
@@ -232,26 +260,33 @@ Geodesic_result find_path(const Geodesic_options& options, const Surface& surfac
     add_stop("--to", options.to);
   if (options.curve.has_files()) {
     IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
-    const IT::Nearest_source_point end =
-      IT::nearest_source_point(triangulation, stops.back(), end_on(triangulation), CGAL::parameters::visitor(&goes_on));
+    names.push_back("the curve");
+    const IT::Geodesic_source curves = end_on(triangulation);
+    const IT::Nearest_source_point end = with_names(names, names.size() - 2, [&] {
+      return IT::nearest_source_point(triangulation, stops.back(), curves, CGAL::parameters::visitor(&goes_on));
+    });
     stops.push_back(IT::vertex_at_point(triangulation, end.point));
   }
-  if (options.is_closed)
+  if (options.is_closed) {
     stops.push_back(stops.front());
-  const std::vector<IT::Halfedge_index> start = first_path(options, triangulation, stops, curve);
-  IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
+    names.push_back(names.front());
+  }
+  if (options.is_shortest) {
+    find_shortest(triangulation, stops, names, curve);
+    return curve;
+  }
+  std::vector<IT::Halfedge_index> start; // along edges
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    const std::vector<IT::Halfedge_index> part =
+      with_names(names, i, [&] { return IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]); });
+    start.insert(start.end(), part.begin(), part.end());
+  }
+  Network network(triangulation);
   const std::size_t p = options.is_closed ? network.add_closed_path(start) : network.add_path(start);
   for (std::size_t i = 1; !options.is_closed && i < last_via; ++i)
     network.fix(stops[i]);
-  if (!options.is_shortest)
-    curve.initial_length = network.length(p);
-  curve.report = network.shorten(CGAL::parameters::visitor(&goes_on));
-  curve.length = network.length(p);
-  curve.is_geodesic = network.is_geodesic(p);
-  curve.status = name(network.status(p));
-  curve.points = IT::geodesic_points(triangulation, network.halfedges(p));
-  if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
-    curve.vertex = network.contraction(p);
+  curve.initial_length = network.length(p);
+  shorten(triangulation, network, p, curve);
   return curve;
 }
 
@@ -331,8 +366,12 @@ Geodesic_result find_path_over(const Triangle_soup& soup, const Geodesic_options
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     IT::Path_on_triangles part = IT::shortest_path_on_triangles(soup.points, soup.triangles, stops[i], stops[i + 1],
                                                                 CGAL::parameters::visitor(&goes_on));
-    path.positions.insert(path.positions.end(), part.positions.begin() + (i > 0 ? 1 : 0), part.positions.end());
-    path.triangles.insert(path.triangles.end(), part.triangles.begin(), part.triangles.end());
+    if (!path.positions.empty())
+      path.positions.pop_back();
+    path.positions.insert(path.positions.end(), part.positions.begin(), part.positions.end());
+    if (!path.points.empty() && !part.points.empty())
+      path.points.pop_back();
+    path.points.insert(path.points.end(), part.points.begin(), part.points.end());
     path.length += part.length;
     path.distance += part.distance;
     path.is_complete = path.is_complete && part.is_complete;

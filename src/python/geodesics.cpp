@@ -96,19 +96,17 @@ public:
       return flipped_->use([&](Triangulation& t) {
         if (!network_)
           network_.emplace(t);
-        const Rewinding rewinding{*network_};
-        Path result;
-        shorten(t, *network_, first_path(t, stops, is_closed, is_shortest, result), is_closed, maximum_number, result);
-        return result;
+        return to_path(
+          t, shortened(t, *network_, edge_path(t, vertices_at(t, stops, is_closed)), is_closed, maximum_number));
       });
     }
     Surface copy = surface_;
     return copy.use([&](Triangulation& t) {
-      Path result;
-      const std::vector<IT::Halfedge_index> start = first_path(t, stops, is_closed, is_shortest, result);
+      const std::vector<IT::Vertex_index> vertices = vertices_at(t, stops, is_closed);
+      if (is_shortest)
+        return to_path(t, shortest(t, vertices, maximum_number));
       Network network(t); // of the triangulation with all vertices
-      shorten(t, network, start, is_closed, maximum_number, result);
-      return result;
+      return to_path(t, shortened(t, network, edge_path(t, vertices), is_closed, maximum_number));
     });
   }
 
@@ -182,53 +180,109 @@ private:
     ~Rewinding() { network.rewind(); }
   };
 
-  // The initial path, along edges. Stops that are not vertices are inserted.
-  std::vector<IT::Halfedge_index> first_path(Triangulation& t, const std::vector<Stop>& stops, bool is_closed,
-                                             bool is_shortest, Path& path) const
+  // A path as a line on the input.
+  struct Line
   {
-    std::vector<IT::Vertex_index> vertices;
+    std::vector<IT::Surface_point> points;
+    Path path; // without them
+  };
+
+  // Stops that are not vertices are inserted.
+  std::vector<IT::Vertex_index> vertices_at(Triangulation& t, const std::vector<Stop>& stops, bool is_closed) const
+  {
+    std::vector<IT::Vertex_index> result;
     for (const Stop& stop : stops)
-      vertices.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex)
-                                                        : IT::vertex_at_point(t, nearest(t, stop.point)));
+      result.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex)
+                                                      : IT::vertex_at_point(t, nearest(t, stop.point)));
     if (is_closed)
-      vertices.push_back(vertices.front());
-    if (is_shortest) {
-      IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
-      Signal_watch::check();
-      path.distance = 0;
+      result.push_back(result.front());
+    return result;
+  }
+
+  // Calls a function; if there is no path from one stop to the next, the message counts them, as some were no vertices.
+  template <class Function>
+  static auto from_stop(std::size_t i, const Function& find)
+  {
+    try {
+      return find();
+    } catch (const IT::Invalid_argument_error&) {
+      throw IT::Invalid_argument_error("no path leads from stop " + std::to_string(i) +
+                                       " to the next one: choose stops "
+                                       "of one component");
     }
+  }
+
+  static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t,
+                                                   const std::vector<IT::Vertex_index>& vertices)
+  {
     std::vector<IT::Halfedge_index> result;
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-      std::vector<IT::Halfedge_index> part;
-      if (is_shortest) {
-        IT::Shortest_path found =
-          IT::shortest_path(t, vertices[i], vertices[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
-        *path.distance += found.distance;
-        part = std::move(found.halfedges);
-      } else {
-        part = IT::shortest_edge_path(t, vertices[i], vertices[i + 1]);
-      }
+      const std::vector<IT::Halfedge_index> part =
+        from_stop(i, [&] { return IT::shortest_edge_path(t, vertices[i], vertices[i + 1]); });
       result.insert(result.end(), part.begin(), part.end());
     }
     return result;
   }
 
-  void shorten(const Triangulation& t, Network& network, const std::vector<IT::Halfedge_index>& start, bool is_closed,
-               std::uint64_t maximum_number, Path& result) const
+  // From each vertex to the next one.
+  static Line shortest(Triangulation& t, const std::vector<IT::Vertex_index>& vertices, std::uint64_t maximum_number)
+  {
+    IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
+    Signal_watch::check();
+    Line result;
+    result.path.distance = 0;
+    result.path.is_geodesic = true;
+    result.path.status = name_of(IT::Geodesic_status::GEODESIC);
+    Network network(t);
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      // It flips edges of the paths before.
+      const IT::Shortest_path found = from_stop(i, [&] {
+        return IT::shortest_path(t, vertices[i], vertices[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
+      });
+      const Line part = shortened(t, network, found.halfedges, false, maximum_number - result.path.flips);
+      *result.path.distance += found.distance;
+      result.path.initial_length += part.path.initial_length;
+      result.path.length += part.path.length;
+      result.path.flips += part.path.flips;
+      if (!part.path.is_geodesic) {
+        result.path.is_geodesic = false;
+        result.path.status = part.path.status;
+      }
+      if (!result.points.empty() && !part.points.empty())
+        result.points.pop_back();
+      result.points.insert(result.points.end(), part.points.begin(), part.points.end());
+    }
+    return result;
+  }
+
+  // Afterwards, the triangulation is as before.
+  static Line shortened(const Triangulation& t, Network& network, const std::vector<IT::Halfedge_index>& start,
+                        bool is_closed, std::uint64_t maximum_number)
   {
     if (is_closed && start.empty())
       throw IT::Invalid_argument_error("a closed curve needs two different vertices");
+    const Rewinding rewinding{network};
     const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
-    result.initial_length = network.length(p);
-    result.flips = network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
+    Line result;
+    result.path.initial_length = network.length(p);
+    result.path.flips =
+      network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
     Signal_watch::check();
-    result.length = network.length(p);
-    result.is_geodesic = network.is_geodesic(p);
-    result.status = name_of(network.status(p));
+    result.path.length = network.length(p);
+    result.path.is_geodesic = network.is_geodesic(p);
+    result.path.status = name_of(network.status(p));
     if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
-      append(t, at_input_vertex(t, network.contraction(p)), result);
+      result.points.push_back(at_input_vertex(t, network.contraction(p)));
     for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
-      append(t, point, result);
+      result.points.push_back(point);
+    return result;
+  }
+
+  Path to_path(const Triangulation& t, Line line) const
+  {
+    for (const IT::Surface_point& point : line.points)
+      append(t, point, line.path);
+    return std::move(line.path);
   }
 
   IT::Surface_point nearest(const Triangulation& t, const std::array<double, 3>& p) const

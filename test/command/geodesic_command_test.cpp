@@ -169,6 +169,28 @@ TEST_F(Geodesic_command, names_the_ends_in_their_order)
     EXPECT_TRUE(
       contains(idt(std::string("geodesic two.off --from 0 --to 4") + option).err, "from vertex 0 to vertex 4"))
       << option;
+  EXPECT_TRUE(contains(idt("geodesic two.off --from 0.2,0.2,0 --to 4").err, "from the point 0.2,0.2,0 to vertex 4"));
+}
+
+// A part flips edges of those before.
+TEST_F(Geodesic_command, is_shortest_from_stop_to_stop)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o sphere.off").status, 0);
+  double sum = 0;
+  const std::vector<std::string> stops{"3", "90", "41", "12", "77", "60"};
+  const auto length = [&](const std::string& options) {
+    const Command_run run = idt("geodesic sphere.off --shortest --stats s.json " + options);
+    EXPECT_EQ(run.status, 0) << run.err;
+    const json stats = json::parse(content(folder_ / "s.json"));
+    EXPECT_TRUE(stats.at("is_shortest").get<bool>());
+    return stats.at("length").get<double>();
+  };
+  std::string all = "--from " + stops[0];
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    sum += length("--from " + stops[i - 1] + " --to " + stops[i]);
+    all += (i + 1 < stops.size() ? " --via " : " --to ") + stops[i];
+  }
+  EXPECT_NEAR(length(all), sum, 1e-12 * sum);
 }
 
 TEST_F(Geodesic_command, cuts_the_surface_open)
