@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
@@ -20,7 +21,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace idt {
@@ -29,14 +29,18 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Points = std::vector<std::array<double, 3>>;
-using Parts = std::vector<std::vector<IT::Surface_point>>;
+using Sources = std::vector<IT::Geodesic_source>;
+using Points_in_faces = std::vector<IT::Point_in_triangle>;
 
 // A surface whose faces the user numbers.
 struct Faces
 {
   std::size_t number;
   std::function<std::array<std::uint32_t, 3>(std::size_t)> corners;
-  std::function<Parts(const std::vector<std::vector<IT::Point_in_triangle>>&)> find; // points and curves in them
+  std::function<Sources(const std::vector<Points_in_faces>&)> find; // points and curves in them
+  std::function<IT::Point_in_triangle(const IT::Surface_point&)> number_of;
+  // where several faces meet at an edge: the shortest path from stop to stop
+  std::function<IT::Path_on_triangles(const Points_in_faces&)> path;
 };
 
 class Source_placer
@@ -59,8 +63,8 @@ public:
         std::vector<std::vector<Place>> apart;
         for (const Place& place : places)
           apart.push_back({place});
-        for (std::vector<IT::Surface_point>& point : placed(apart, named_.points_path))
-          result_.sources.push_back({{std::move(point)}});
+        for (IT::Geodesic_source& point : found(placed(apart, named_.points_path), apart, named_.points_path))
+          result_.sources.push_back(std::move(point));
       }
     if (!named_.edges_path.empty())
       add_edges();
@@ -101,31 +105,26 @@ private:
   }
 
   // The points of curves.
-  Parts placed(const std::vector<std::vector<Place>>& curves, const std::string& path)
+  std::vector<Points_in_faces> placed(const std::vector<std::vector<Place>>& curves, const std::string& path)
   {
-    std::vector<std::vector<IT::Point_in_triangle>> given(curves.size());
+    std::vector<Points_in_faces> result(curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i)
       for (const Place& place : curves[i])
-        if (place.kind != Place::IN_SPACE)
-          given[i].push_back(in_triangle(place, path));
-    Parts result = found_in_faces(given, curves, path);
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      for (const Place& place : curves[i])
-        if (place.kind == Place::IN_SPACE)
-          result[i].push_back(foot(place));
+        result[i].push_back(place.kind == Place::IN_SPACE ? foot(place) : in_triangle(place, path));
     return result;
   }
 
-  Parts found_in_faces(const std::vector<std::vector<IT::Point_in_triangle>>& given,
-                       const std::vector<std::vector<Place>>& curves, const std::string& path) const
+  Sources found(const std::vector<Points_in_faces>& placed, const std::vector<std::vector<Place>>& curves,
+                const std::string& path) const
   {
     try {
-      return faces_.find(given);
+      return faces_.find(placed);
     } catch (const IT::Invalid_point_error&) {
       for (std::size_t i = 0; i < curves.size(); ++i)
-        for (std::size_t k = 0; k < given[i].size(); ++k)
+        for (std::size_t k = 0; k < placed[i].size(); ++k)
           try {
-            faces_.find({{given[i][k]}});
+            const auto end = placed[i].begin() + std::ptrdiff_t(k) + 1;
+            faces_.find({Points_in_faces(k > 0 ? end - 2 : end - 1, end)});
           } catch (const IT::Invalid_point_error& error) {
             fail(curves[i][k], path, error.what());
           }
@@ -138,15 +137,15 @@ private:
     throw IT::Invalid_point_error(path + ", line " + std::to_string(place.line) + ": " + what);
   }
 
-  IT::Surface_point foot(const Place& place)
+  IT::Point_in_triangle foot(const Place& place)
   {
     if (points_.empty())
       throw Usage_error("points in space need a surface in space: give input_face,b0,b1,b2");
-    IT::Surface_point result = IT::locate(input_, points_, place.numbers);
-    const auto [x, y, z] = IT::point_in_space(input_, points_, result);
+    const IT::Surface_point nearest = IT::locate(input_, points_, place.numbers);
+    const auto [x, y, z] = IT::point_in_space(input_, points_, nearest);
     result_.largest_snap =
       (std::max)(result_.largest_snap, std::hypot(x - place.numbers[0], y - place.numbers[1], z - place.numbers[2]));
-    return result;
+    return faces_.number_of(nearest);
   }
 
   // Coordinates may be given for vertices in any order.
@@ -191,29 +190,42 @@ private:
   // Points of `idt geodesic` follow each other in faces. Between others, a curve takes the shortest path.
   void add_curves(const std::vector<std::vector<Place>>& curves)
   {
-    Parts given = placed(curves, named_.curve_path);
-    std::vector<std::vector<IT::Vertex_index>> stops(curves.size());
-    std::optional<Triangulation> copy;
+    const std::vector<Points_in_faces> points = placed(curves, named_.curve_path);
+    std::vector<Points_in_faces> in_faces = points;
+    std::vector<bool> has_stops;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      if (curves[i].empty() || curves[i].front().kind == Place::BETWEEN_VERTICES) {
+      has_stops.push_back(!curves[i].empty() && curves[i].front().kind != Place::BETWEEN_VERTICES);
+      if (has_stops[i] && faces_.path)
+        in_faces[i] = path(points[i], curves[i]);
+      else if (has_stops[i]) // found one by one
+        in_faces[i].clear();
+      else
         require_common_faces(curves[i]);
-        continue;
-      }
-      // Points on edges of the input are inserted before these are flipped. Faces beside new vertices may be slivers,
-      // which ways do not cross well: Delaunay faces are not.
-      if (!copy && points_.size() == input_.number_of_vertices())
-        copy.emplace(input_, points_);
-      else if (!copy)
-        copy.emplace(triangulation_);
-      for (IT::Surface_point p : given[i]) {
-        p.coordinates = IT::internal::on_near_edges(p.coordinates);
-        stops[i].push_back(IT::vertex_at_point(*copy, p));
-      }
     }
-    if (copy)
-      go_straight(*copy, stops, given);
-    for (std::vector<IT::Surface_point>& curve : given)
-      result_.sources.push_back({{std::move(curve)}});
+    Sources sources = found(in_faces, curves, named_.curve_path);
+    if (!faces_.path)
+      go_straight(points, has_stops, curves, sources);
+    for (IT::Geodesic_source& curve : sources)
+      result_.sources.push_back(std::move(curve));
+  }
+
+  Points_in_faces path(const Points_in_faces& stops, const std::vector<Place>& places) const
+  {
+    try {
+      IT::Path_on_triangles result = faces_.path(stops);
+      if (!result.is_complete)
+        fail(places.front(), named_.curve_path,
+             "the shortest path to the next point was not found: give the curve more points");
+      return std::move(result.points);
+    } catch (const IT::Invalid_argument_error&) {
+      for (std::size_t i = 1; i < stops.size(); ++i)
+        try {
+          faces_.path({stops[i - 1], stops[i]});
+        } catch (const IT::Invalid_argument_error&) {
+          fail(places[i], named_.curve_path, no_path);
+        }
+      throw;
+    }
   }
 
   void require_common_faces(const std::vector<Place>& places) const
@@ -227,32 +239,58 @@ private:
                "the point does not lie in the face of the point before, face " + std::to_string(places[i - 1].face));
   }
 
-  // \param stops vertices of the triangulation; curves without any remain
-  static void go_straight(Triangulation& triangulation, const std::vector<std::vector<IT::Vertex_index>>& stops,
-                          std::vector<std::vector<IT::Surface_point>>& curves)
+  // Points on edges of the input are inserted before these are flipped. Faces beside new vertices may be slivers, which
+  // ways do not cross well: Delaunay faces are not.
+  // \param has_stops other curves remain
+  void go_straight(const std::vector<Points_in_faces>& points, const std::vector<bool>& has_stops,
+                   const std::vector<std::vector<Place>>& curves, Sources& sources) const
   {
+    if (std::find(has_stops.begin(), has_stops.end(), true) == has_stops.end())
+      return;
+    Triangulation copy =
+      points_.size() == input_.number_of_vertices() ? Triangulation(input_, points_) : triangulation_;
+    std::vector<Points_in_faces> apart;
+    std::vector<std::vector<Place>> places;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t k = 0; k < points[i].size() && has_stops[i]; ++k) {
+        apart.push_back({points[i][k]});
+        places.push_back({curves[i][k]});
+      }
+    const Sources located = found(apart, places, named_.curve_path);
+    std::vector<std::vector<IT::Vertex_index>> stops(points.size());
+    auto next = located.begin();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t k = 0; k < points[i].size() && has_stops[i]; ++k, ++next) {
+        IT::Surface_point p = next->parts.front().front();
+        p.coordinates = IT::internal::on_near_edges(p.coordinates);
+        if (k == 0)
+          sources[i].parts = {{p}};
+        stops[i].push_back(IT::vertex_at_point(copy, p));
+      }
     const auto np = CGAL::parameters::visitor([] { return !is_interrupted(); });
-    IT::flip_to_Delaunay(triangulation, np);
+    IT::flip_to_Delaunay(copy, np);
     // Straight, even if not all ways could be followed.
-    IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
-    for (std::size_t k = 0; k < stops.size(); ++k) {
-      if (stops[k].empty())
-        continue;
-      std::vector<IT::Surface_point> curve{curves[k].front()};
+    IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(copy);
+    for (std::size_t k = 0; k < stops.size(); ++k)
       for (std::size_t i = 0; i + 1 < stops[k].size(); ++i) {
         if (stops[k][i] == stops[k][i + 1])
           continue;
-        const std::size_t path =
-          network.add_path(IT::shortest_path(triangulation, stops[k][i], stops[k][i + 1], np).halfedges);
-        network.shorten(np);
-        const std::vector<IT::Surface_point> part = IT::geodesic_points(triangulation, network.halfedges(path));
-        curve.pop_back();
-        curve.insert(curve.end(), part.begin(), part.end());
+        std::vector<IT::Surface_point>& curve = sources[k].parts.front();
+        try {
+          const std::size_t path =
+            network.add_path(IT::shortest_path(copy, stops[k][i], stops[k][i + 1], np).halfedges);
+          network.shorten(np);
+          const std::vector<IT::Surface_point> part = IT::geodesic_points(copy, network.halfedges(path));
+          curve.pop_back();
+          curve.insert(curve.end(), part.begin(), part.end());
+        } catch (const IT::Invalid_argument_error&) {
+          fail(curves[k][i + 1], named_.curve_path, no_path);
+        }
         network.rewind();
       }
-      curves[k] = std::move(curve);
-    }
   }
+
+  static constexpr const char* no_path = "no path leads here from the point before: the curve leaves its component";
 
   const Named_sources& named_;
   const Triangulation& triangulation_;
@@ -279,18 +317,25 @@ Placed_sources place_sources(const Named_sources& named, const Triangulation& tr
     return {std::uint32_t(input.source(h).idx()), std::uint32_t(input.target(h).idx()),
             std::uint32_t(input.target(input.next(h)).idx())};
   };
-  const auto find = [&input, first_side](const std::vector<std::vector<IT::Point_in_triangle>>& given) {
-    Parts result(given.size());
-    for (std::size_t i = 0; i < given.size(); ++i)
-      for (const IT::Point_in_triangle& p : given[i]) {
+  const auto find = [&input, first_side](const std::vector<Points_in_faces>& given) {
+    Sources result;
+    for (const Points_in_faces& points : given) {
+      result.push_back({{{}}});
+      for (const IT::Point_in_triangle& p : points) {
         if (p.triangle >= input.number_of_faces())
           throw IT::Invalid_point_error("there is no face " + std::to_string(p.triangle) + ": the surface has " +
                                         std::to_string(input.number_of_faces()) + ", counted from 0");
-        result[i].push_back({first_side(p.triangle), p.coordinates});
+        result.back().parts.front().push_back({first_side(p.triangle), p.coordinates});
       }
+    }
     return result;
   };
-  return Source_placer(named, triangulation, points, {input.number_of_faces(), corners, find}, vertex_of, vertex_of)
+  const auto number_of = [&input, first_side](const IT::Surface_point& p) {
+    const std::size_t f = input.face(p.halfedge).idx();
+    return IT::Point_in_triangle{f, IT::coordinates_from(input, p, first_side(f))};
+  };
+  return Source_placer(named, triangulation, points, {input.number_of_faces(), corners, find, number_of, {}}, vertex_of,
+                       vertex_of)
     .place();
 }
 
@@ -301,10 +346,19 @@ Placed_sources place_sources(const Named_sources& named, const IT::Tufted_cover&
   for (std::uint32_t v : cover.vertex_of)
     if (!points.empty())
       of_cover.push_back(points[v]);
-  const auto find = [&](const std::vector<std::vector<IT::Point_in_triangle>>& given) {
-    return IT::points_of_cover(cover, triangles, given);
-  };
-  const Faces faces{triangles.size(), [&triangles](std::size_t f) { return triangles[f]; }, find};
+  const IT::internal::Points places = IT::internal::copy_points(points);
+  Faces faces{triangles.size(),
+              [&](std::size_t f) { return triangles[f]; },
+              [&](const std::vector<Points_in_faces>& given) { return IT::sources_on_cover(cover, triangles, given); },
+              [&](const IT::Surface_point& p) { return IT::internal::point_below_cover(cover, places, triangles, p); },
+              {}};
+  const bool is_surface = cover.vertex_of.size() == cover.representative.size() && !cover.is_cut &&
+                          cover.report.nonmanifold_edges == 0 && cover.flat_edges.empty();
+  if (!is_surface && !points.empty())
+    faces.path = [&](const Points_in_faces& stops) {
+      return IT::shortest_path_on_triangles(points, triangles, stops,
+                                            CGAL::parameters::visitor([] { return !is_interrupted(); }));
+    };
   return Source_placer(named, cover.triangulation, of_cover, faces, cover.vertex_of, cover.representative).place();
 }
 

@@ -99,45 +99,11 @@ std::vector<Point_in_face> points_in_faces(const IT::Delta_complex& input, const
   return result;
 }
 
-// Along the longest side by projection, across it by areas: so the point that they give is right in thin faces, too.
 std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::Path_on_triangles& path)
 {
-  using Vector = std::array<double, 3>;
-  int exponent = 0; // of the triangle: its sides are brought near 1, so that products neither overflow nor vanish
-  const auto from = [&exponent](const Vector& p, const Vector& q) {
-    return Vector{std::ldexp(q[0] - p[0], -exponent), std::ldexp(q[1] - p[1], -exponent),
-                  std::ldexp(q[2] - p[2], -exponent)};
-  };
-  const auto area = [](const Vector& a, const Vector& b) {
-    return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  };
-  const auto product = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   std::vector<Point_in_face> result;
-  for (std::size_t i = 0; i < path.positions.size() && !path.triangles.empty(); ++i) {
-    const std::size_t f = path.triangles[(std::min)(i, path.triangles.size() - 1)];
-    const auto& t = soup.triangles[f];
-    Point_in_face point{f, {t[0], t[1], t[2]}, {}};
-    const auto side = [&](std::size_t k) { return from(soup.points[t[k]], soup.points[t[(k + 1) % 3]]); };
-    exponent = 0;
-    double size = 0;
-    for (std::size_t k = 0; k < 2; ++k)
-      for (double x : side(k))
-        size = (std::max)(size, std::abs(x));
-    exponent = std::ilogb(size);
-    std::size_t longest = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (product(side(k), side(k)) > product(side(longest), side(longest)))
-        longest = k;
-    const Vector base = side(longest), to_point = from(soup.points[t[longest]], path.positions[i]),
-                 to_apex = from(soup.points[t[longest]], soup.points[t[(longest + 2) % 3]]);
-    const double whole = area(base, to_apex), across = whole > 0 ? (std::min)(area(base, to_point) / whole, 1.) : 0,
-                 along = (product(base, to_point) - across * product(base, to_apex)) / product(base, base),
-                 second = (std::min)((std::max)(along, 0.), 1 - across);
-    point.coordinates[longest] = 1 - across - second;
-    point.coordinates[(longest + 1) % 3] = second;
-    point.coordinates[(longest + 2) % 3] = across;
-    result.push_back(point);
-  }
+  for (const auto& [f, coordinates] : path.points)
+    result.push_back({f, {soup.triangles[f][0], soup.triangles[f][1], soup.triangles[f][2]}, coordinates});
   return result;
 }
 

@@ -65,6 +65,7 @@
 #include "distances/Curve_sources.cpp"
 #include "distances/Distance_bounds.cpp"
 #include "distances/Distance_search.cpp"
+#include "distances/Divided_triangles.cpp"
 #include "distances/First_ways.cpp"
 #include "distances/Geodesic_source.cpp"
 #include "distances/Laid_out_faces.cpp"

@@ -37,7 +37,6 @@ public:
         places_[k].push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
   }
 
-  const std::vector<std::vector<IT::Point_in_triangle>>& places() const { return places_; }
   // \param triangles those of which the complex was made
   std::vector<std::vector<IT::Surface_point>> on(const IT::Delta_complex& complex,
                                                  const std::vector<std::array<std::uint32_t, 3>>& triangles) const
@@ -57,6 +56,14 @@ public:
     std::vector<IT::Geodesic_source> result;
     for (std::size_t i = 0; i < offsets_.size(); ++i)
       result.push_back({{placed[i]}, offsets_[i]});
+    return result;
+  }
+  std::vector<IT::Geodesic_source> sources(const IT::Tufted_cover& cover,
+                                           const std::vector<std::array<std::uint32_t, 3>>& triangles) const
+  {
+    std::vector<IT::Geodesic_source> result = IT::sources_on_cover(cover, triangles, places_);
+    for (std::size_t i = 0; i < offsets_.size(); ++i)
+      result[i].offset = offsets_[i];
     return result;
   }
 

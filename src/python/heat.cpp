@@ -116,18 +116,31 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   }));
 }
 
-// \return positions, triangles, the length, the distance, and whether it was found
-py::tuple shortest_path(const Doubles& points, const Indices& triangles, std::size_t source, std::size_t target)
+// \param ends two vertices, or none and stops
+// \return positions, triangles, coordinates, the length, the distance, and whether it was found
+py::tuple shortest_path(const Doubles& points, const Indices& triangles, const Indices& ends, const Indices& numbers,
+                        const Doubles& coordinates)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
+  const auto vertices = copied(ends), in_triangles = copied(numbers);
+  const auto in_triangle = copied_rows(coordinates);
+  std::vector<IT::Point_in_triangle> stops;
+  for (std::size_t i = 0; i < in_triangles.size(); ++i)
+    stops.push_back({in_triangles[i], in_triangle[i]});
   IT::Path_on_triangles path = without_lock([&] {
-    return IT::shortest_path_on_triangles(rows, faces, source, target,
-                                          CGAL::parameters::visitor(&Signal_watch::goes_on));
+    const auto options = CGAL::parameters::visitor(&Signal_watch::goes_on);
+    return vertices.empty() ? IT::shortest_path_on_triangles(rows, faces, stops, options)
+                            : IT::shortest_path_on_triangles(rows, faces, vertices[0], vertices[1], options);
   });
-  return py::make_tuple(to_array(std::move(path.positions)),
-                        to_array(std::vector<std::int64_t>(path.triangles.begin(), path.triangles.end())), path.length,
-                        path.distance, path.is_complete);
+  std::vector<std::int64_t> path_triangles;
+  std::vector<std::array<double, 3>> path_coordinates;
+  for (const IT::Point_in_triangle& p : path.points) {
+    path_triangles.push_back(std::int64_t(p.triangle));
+    path_coordinates.push_back(p.coordinates);
+  }
+  return py::make_tuple(to_array(std::move(path.positions)), to_array(std::move(path_triangles)),
+                        to_array(std::move(path_coordinates)), path.length, path.distance, path.is_complete);
 }
 
 // \param is_on_cover how the heat was made
@@ -143,7 +156,7 @@ py::array heat_distances_from(Heat& heat, const Doubles& points, const Indices& 
     return heat.distances_from([&](IT::Heat_method<>& method) {
       if (is_on_cover) {
         const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::TUFTED);
-        return method.add_sources(cover, placed.sources(IT::points_of_cover(cover, faces, placed.places())));
+        return method.add_sources(cover, placed.sources(cover, faces));
       }
       const Triangulation triangulation(IT::make_Delta_complex_from_triangles(corners.size(), faces), corners);
       method.add_sources(triangulation, placed.sources(placed.on(triangulation.input(), faces)));
@@ -166,8 +179,7 @@ std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, c
   IT::Geodesic_distances found = without_lock([&] {
     if (number_of_barriers == 0) {
       const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
-      return IT::geodesic_distances_from(cover, placed.sources(IT::points_of_cover(cover, faces, placed.places())),
-                                         options);
+      return IT::geodesic_distances_from(cover, placed.sources(cover, faces), options);
     }
     const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(corners.size(), faces);
     const auto parts = placed.on(complex, faces);
@@ -254,7 +266,7 @@ void add_heat(py::module_& module)
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
              py::arg("sources").noconvert(), py::arg("tolerance"));
   module.def("shortest_path", &shortest_path, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
-             py::arg("source"), py::arg("target"));
+             py::arg("ends").noconvert(), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert());
   module.def("geodesic_distances_from", &geodesic_distances_from, py::arg("points").noconvert(),
              py::arg("triangles").noconvert(), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(),
              py::arg("first").noconvert(), py::arg("offsets").noconvert(), py::arg("tolerance"),

@@ -304,6 +304,33 @@ TEST_F(Distance_command, takes_curves_and_points_where_triangles_have_no_area)
   }
 }
 
+// Three pages at a spine.
+TEST_F(Distance_command, leads_a_curve_from_page_to_page)
+{
+  write("book.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0.5\n-1 2 0.5\n-1 -2 0.5\n3 0 1 2\n3 0 1 3\n3 1 0 4\n");
+  write("stops.csv", "x,y,z\n0.5,0,0.5\n-0.25,0.5,0.5\n");
+  write("in_faces.csv", "input_face,b0,b1,b2\n0,0.25,0.25,0.5\n1,0.375,0.375,0.25\n");
+  for (const std::string curve : {"stops.csv", "in_faces.csv"})
+    for (const std::string method : {"", " --method exact", " --method heat"}) {
+      const Command_run run = idt("distance book.off -o d.csv --source-curve " + curve + method);
+      ASSERT_EQ(run.status, 0) << run.err;
+      const std::vector<double> d = distances("d.csv"), expected{0.5, 0.5, 0.5, 0.75 * std::sqrt(5.), std::sqrt(5.)};
+      for (std::size_t v = 0; v < 5 && method != " --method heat"; ++v)
+        EXPECT_NEAR(d[v], expected[v], 1e-12) << curve << method << v;
+    }
+  // The path that idt geodesic writes.
+  ASSERT_EQ(idt("geodesic book.off --from 2 --to 3 -o path.csv").status, 0);
+  ASSERT_EQ(idt("distance book.off --source-curve path.csv --method exact -o d.csv").status, 0);
+  EXPECT_NEAR(distances("d.csv")[0], 0.5, 1e-14);
+  EXPECT_NEAR(distances("d.csv")[4], std::sqrt(5.), 1e-14);
+  write("two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
+  write("apart.csv", "x,y,z\n0,0,0\n0.5,0.2,0\n5.2,0.2,0\n");
+  for (const std::string options : {"", " --cover none"})
+    EXPECT_EQ(idt("distance two.off --source-curve apart.csv" + options).err,
+              "idt: two.off: apart.csv, line 4: no path leads here from the point before: the curve leaves its "
+              "component\n");
+}
+
 TEST_F(Distance_command, writes_a_matrix_between_two_sets)
 {
   write("two.off", "OFF\n7 3 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 1 6 2\n");

@@ -123,10 +123,42 @@ def test_the_shortest_path_where_three_faces_meet():
     F = [[0, 1, 2], [0, 1, 3], [1, 0, 4]]
     path = it.shortest_path(V, F, 2, 4)
     assert path.is_complete and path.length == pytest.approx(1 + 5 ** 0.5) and path.distance == pytest.approx(path.length)
-    assert path.positions == pytest.approx(numpy.array([V[2], [0, 0, 0.5], V[4]])) and list(path.faces) == [0, 2]
+    assert path.positions == pytest.approx(numpy.array([V[2], [0, 0, 0.5], V[4]])) and list(path.faces) == [0, 2, 2]
     for bad in (5, -1, 1.5, [0, 0, 1]):
         with pytest.raises(ValueError, match="^(there is no vertex|target has to be an integer)"):
             it.shortest_path(V, F, 0, bad)
+
+
+def test_a_path_from_page_to_page_is_a_source():
+    V = numpy.array([[0, 0, 0], [0, 0, 1], [1, 0, 0.5], [-1, 2, 0.5], [-1, -2, 0.5]])
+    F = [[0, 1, 2], [0, 1, 3], [1, 0, 4]]
+    path = it.shortest_path(V, F, [0, 0.25, 0.25, 0.5], [1, 0.375, 0.375, 0.25], via=[[2, 0.5, 0.5, 0]])
+    assert path.length == pytest.approx(0.5 + 5 ** 0.5 / 4) and path.is_complete
+    for point, face, coordinates in zip(path.positions, path.faces, path.coordinates):
+        assert coordinates @ V[F[face]] == pytest.approx(point)
+    distances, _ = it.geodesic_distances_from(V, F, [path.places], 0)
+    assert distances == pytest.approx([0.5, 0.5, 0.5, 0.75 * 5 ** 0.5, 5 ** 0.5], rel=1e-14)
+    assert len(it.shortest_path(V, F, 2, 2).positions) == 1
+    with pytest.raises(ValueError, match="have to be vertices, or points"):
+        it.shortest_path(V, F, [0, 1], 2)
+    with pytest.raises(it.InvalidPointError, match="triangle 2 that is not in the former"):
+        it.geodesic_distances_from(V, F, [[[0, 1, 1, 1], [2, 1, 1, 1]]])
+
+
+def test_shortest_from_stop_to_stop():
+    # A part flips edges of those before.
+    V, F = icosphere(2)
+    solver = it.EdgeFlipGeodesicSolver(V, F)
+    stops = [3, [1, 0.3, 0.2], 90, 41, [-1, 0.2, 0.5], 12, 77]
+    path = solver.find_path(stops, is_shortest=True)
+    length = sum(solver.find_path(stops[i:i + 2], is_shortest=True).length for i in range(len(stops) - 1))
+    assert path.is_geodesic and path.length == pytest.approx(length, rel=1e-12)
+    assert path.distance == pytest.approx(length, rel=1e-12)
+    assert numpy.linalg.norm(numpy.diff(path.positions, axis=0), axis=1).sum() == pytest.approx(length, rel=1e-12)
+    two = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 0, 0], [6, 0, 0], [5, 1, 0]], [[0, 1, 2], [3, 4, 5]]
+    for is_shortest in (False, True):
+        with pytest.raises(it.InvalidArgumentError, match="from stop 1 to the next one"):
+            it.EdgeFlipGeodesicSolver(*two).find_path([0, 1, 3], is_shortest=is_shortest)
 
 
 def test_paths_between_points():

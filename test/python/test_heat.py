@@ -97,6 +97,22 @@ def test_distances_from_curves():
         it.geodesic_distances_from(V, F, [0], offsets=[-1])
 
 
+def test_points_near_edges_lie_on_them():
+    V, F = grid(8)
+    path = it.geodesic_path(V, F, 1, len(V) - 14)
+    places = numpy.column_stack([path.faces, path.coordinates])
+    near = places.copy()
+    for row in near:
+        outside = numpy.nonzero(row[1:] == 0)[0]
+        if len(outside) == 1:
+            row[1 + outside] = 1e-14
+    assert (near != places).any()
+    expected, _ = it.geodesic_distances_from(V, F, [places], 0)
+    assert it.geodesic_distances_from(V, F, [near], 0)[0] == pytest.approx(expected, abs=1e-10)
+    assert it.geodesic_distances_from(V, F, [near], 0, barriers=[[0, 1]])[0] == pytest.approx(
+        it.geodesic_distances_from(V, F, [places], 0, barriers=[[0, 1]])[0], abs=1e-10)
+
+
 def test_heat_from_curves():
     V, F = grid(16)
     triangle = 2 * 16 * 7 + 14

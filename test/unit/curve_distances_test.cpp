@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/sides_of_curve.h>
+#include <CGAL/Intrinsic_triangulations/Surface_with_barriers.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <gtest/gtest.h>
@@ -385,7 +387,7 @@ TEST(Curve_distances, cross_a_spine_to_all_pages)
     IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
   IT::flip_to_Delaunay(cover.triangulation);
   const auto at = [&](std::size_t triangle, const std::array<double, 3>& coordinates) {
-    return IT::points_of_cover(cover, triangles, {{{triangle, coordinates}}}).front().front();
+    return IT::sources_on_cover(cover, triangles, {{{triangle, coordinates}}}).front().parts.front().front();
   };
   // Triangle 5 lies between 2 and 3 on the spine: from the middle of that edge outward.
   const auto found =
@@ -395,6 +397,75 @@ TEST(Curve_distances, cross_a_spine_to_all_pages)
     EXPECT_NEAR(found.distances[v], to_segment({x, 0, z}, {0, 0, 2.5}, {0.5, 0, 2.75}), 1e-14) << v;
   }
   EXPECT_THROW(at(1000, {1, 0, 0}), IT::Invalid_point_error);
+}
+
+// A straight line over the first two pages, which are one plane, as is each of them with the third one.
+TEST(Curve_distances, lead_from_page_to_page)
+{
+  const std::uint32_t n = 6;
+  Points points;
+  Triangles triangles;
+  for (std::uint32_t z = 0; z <= n; ++z)
+    points.push_back({0, 0, double(z)});
+  for (std::uint32_t page = 0; page < 3; ++page)
+    for (std::uint32_t r = 1; r <= n; ++r)
+      for (std::uint32_t z = 0; z <= n; ++z)
+        points.push_back({r * std::cos(2 * page), r * std::sin(2 * page), double(z)});
+  const auto at = [](std::uint32_t page, std::uint32_t r, std::uint32_t z) {
+    return r == 0 ? z : (page * n + r) * (n + 1) + z;
+  };
+  std::mt19937 random(5);
+  for (std::uint32_t page = 0; page < 3; ++page)
+    for (std::uint32_t r = 0; r < n; ++r)
+      for (std::uint32_t z = 0; z < n; ++z)
+        for (std::array<std::uint32_t, 3> t :
+             {std::array{at(page, r, z), at(page, r + 1, z), at(page, r + 1, z + 1)},
+              std::array{at(page, r, z), at(page, r + 1, z + 1), at(page, r, z + 1)}}) {
+          if (random() % 2 == 0)
+            std::swap(t[0], t[1]);
+          triangles.push_back(t);
+        }
+  const auto in_plane = [&](const IT::Point_in_triangle& p) -> Point {
+    double r = 0, z = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& corner = points[triangles[p.triangle][k]];
+      r += p.coordinates[k] * std::hypot(corner[0], corner[1]);
+      z += p.coordinates[k] * corner[2];
+    }
+    return {r, 0, z};
+  };
+  IT::Tufted_cover cover =
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
+  IT::flip_to_Delaunay(cover.triangulation);
+  for (int i = 0; i < 20; ++i) {
+    // The last two begin at a vertex, and on the spine.
+    const IT::Point_in_triangle from_page{std::size_t(random() % (2 * n * n)),
+                                          i == 18 ? Point{1, 0, 0} : Point{0.2, 0.3, 0.5}},
+      to_page{std::size_t(2 * n * n + random() % (2 * n * n)), {0.1, 0.1, 0.8}};
+    const IT::Path_on_triangles path =
+      IT::shortest_path_on_triangles(points, triangles, std::vector<IT::Point_in_triangle>{from_page, to_page});
+    const Point a = in_plane(from_page), b = in_plane(to_page);
+    EXPECT_TRUE(path.is_complete);
+    EXPECT_NEAR(path.length, std::hypot(a[0] + b[0], a[2] - b[2]), 1e-13);
+    const double part = a[0] / (a[0] + b[0]);
+    const Point crossing{0, 0, a[2] + part * (b[2] - a[2])};
+    const std::vector<IT::Geodesic_source> sources = IT::sources_on_cover(cover, triangles, {path.points});
+    const auto found = IT::geodesic_distances_from(cover, sources, with_tolerance(0));
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+      const double r = std::hypot(points[v][0], points[v][1]), z = points[v][2];
+      const std::uint32_t page = v <= n ? 0 : (v - n - 1) / (n * (n + 1));
+      const double to_first = to_segment({page == 0 ? r : -r, 0, z}, a, crossing),
+                   to_second = to_segment({page == 1 ? r : -r, 0, z}, b, crossing);
+      EXPECT_NEAR(found.distances[v], (std::min)(to_first, to_second), 1e-13) << v;
+    }
+  }
+  // A point that is not in the triangle before.
+  try {
+    IT::sources_on_cover(cover, triangles, {{{0, {1, 1, 1}}, {2 * n * n + 40, {1, 1, 1}}}});
+    FAIL();
+  } catch (const IT::Invalid_point_error& error) {
+    EXPECT_NE(std::string(error.what()).find("triangle " + std::to_string(2 * n * n + 40)), std::string::npos);
+  }
 }
 
 TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
@@ -425,7 +496,7 @@ TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
         all.push_back({i / 8., k / 8., (8 - i - k) / 8.});
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (const auto& at : all) {
-        const Surface_point p = IT::points_of_cover(cover, triangles, {{{t, at}}}).front().front();
+        const Surface_point p = IT::sources_on_cover(cover, triangles, {{{t, at}}}).front().parts.front().front();
         if (t >= 3)
           EXPECT_EQ(cover.face_of[input.face(p.halfedge).idx()], t);
         EXPECT_GE(*std::min_element(p.coordinates.begin(), p.coordinates.end()), 0);
@@ -435,7 +506,8 @@ TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
     for (std::size_t t = 3; t < triangles.size(); ++t)
       for (std::size_t n = 0; n < 300; ++n) {
         const auto &from_place = all[7 * n % all.size()], &to_place = all[11 * n % all.size()];
-        const Curve curve = IT::points_of_cover(cover, triangles, {{{t, from_place}, {t, to_place}}}).front();
+        const Curve curve =
+          IT::sources_on_cover(cover, triangles, {{{t, from_place}, {t, to_place}}}).front().parts.front();
         double length = 0;
         for (std::size_t i = 0; i + 1 < curve.size(); ++i)
           length +=
@@ -445,10 +517,71 @@ TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
         EXPECT_NO_THROW(IT::geodesic_distances_from(cover, {from({curve})})) << t << ' ' << n;
       }
   }
+  // Faces that name a corner twice, or two at one place, say nothing about others.
+  const Points corners{{1, 1, 1}, {2, 2, 1}, {1, 0, 1}, {2, 1, 0}, {1, 2, 1}, {0, 0, 1}, {1, 2, 1}, {2, 2, 1}};
+  const Triangles repeating{{1, 7, 6}, {2, 5, 6}, {1, 2, 1}, {3, 7, 3}, {2, 7, 3}, {0, 5, 6}, {3, 7, 0}, {6, 2, 6}};
+  IT::Tufted_cover sheets =
+    IT::make_tufted_cover(corners, repeating, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
+  IT::flip_to_Delaunay(sheets.triangulation);
+  EXPECT_EQ(IT::geodesic_distances_from(sheets, IT::sources_on_cover(sheets, repeating, {{{3, {1, 0, 1}}}})).distances,
+            IT::geodesic_distances(sheets, {Vertex_index(3)}).distances);
+  EXPECT_EQ(IT::geodesic_distances_from(sheets, IT::sources_on_cover(sheets, repeating, {{{0, {0, 1, 0}}}})).distances,
+            IT::geodesic_distances(sheets, {Vertex_index(7)}).distances);
   EXPECT_THROW(
-    IT::points_of_cover(IT::make_tufted_cover(points, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 4, 3}}),
-                        {{0, 1, 2}, {1, 4, 3}}, {{{0, {0.5, 0.25, 0.25}}}}),
+    IT::sources_on_cover(IT::make_tufted_cover(points, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 4, 3}}),
+                         {{0, 1, 2}, {1, 4, 3}}, {{{0, {0.5, 0.25, 0.25}}}}),
     IT::Invalid_point_error);
+}
+
+// A flip of the two faces of one triangle makes a face that meets itself.
+TEST(Curve_distances, across_a_face_that_meets_itself)
+{
+  const Points points{{0, 0, 0}, {1, 0, 0}, {0.5, 0.25, 0}};
+  const Triangles triangles{{2, 0, 1}, {0, 1, 2}};
+  IT::Tufted_cover cover =
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
+  IT::flip_to_Delaunay(cover.triangulation);
+  std::mt19937 random(2);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<IT::Point_in_triangle> curve;
+    for (int k = 0; k < 3; ++k) {
+      const double a = double(random() % 64), b = double(random() % 64), c = double(random() % 64);
+      curve.push_back({1, {1 + a, k == 1 ? 1 + b : b, k == i % 3 ? 0 : 1 + c}});
+    }
+    const auto found =
+      IT::geodesic_distances_from(cover, IT::sources_on_cover(cover, triangles, {curve}), with_tolerance(0));
+    std::vector<Point> places;
+    for (const auto& [t, c] : curve)
+      places.push_back({(c[1] + c[2] * 0.5) / (c[0] + c[1] + c[2]), c[2] * 0.25 / (c[0] + c[1] + c[2]), 0});
+    for (std::uint32_t v = 0; v < 3; ++v)
+      EXPECT_NEAR(found.distances[v],
+                  (std::min)(to_segment(points[v], places[0], places[1]), to_segment(points[v], places[1], places[2])),
+                  1e-12)
+        << i << ' ' << v;
+  }
+}
+
+// So they may be given in either of the two faces.
+TEST(Curve_distances, points_near_edges_lie_on_them)
+{
+  const Mesh mesh = shaken_plane(8, 8);
+  const Triangulation triangulation = mesh.Delaunay();
+  const IT::Delta_complex& input = triangulation.input();
+  Curve curve = line(triangulation, Vertex_index(20), 1, 4.3);
+  const auto expected = IT::geodesic_distances_from(triangulation, {from({curve})}, with_tolerance(0)).distances;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    for (double& x : curve[i].coordinates)
+      if (x == 0 && curve[i].dimension() == 1) {
+        x = 3e-13 / double(i + 1);
+        break;
+      }
+  const auto near = IT::geodesic_distances_from(triangulation, {from({curve})}, with_tolerance(0)).distances;
+  const IT::Surface_with_barriers whole(input, mesh.points, {});
+  const auto on_cut = IT::geodesic_distances_from(whole, {from({curve})}, with_tolerance(0)).distances;
+  for (std::size_t v = 0; v < expected.size(); ++v) {
+    EXPECT_NEAR(near[v], expected[v], 1e-11) << v;
+    EXPECT_NEAR(on_cut[v], expected[v], 1e-11) << v;
+  }
 }
 
 TEST(Curve_distances, bad_input)

@@ -770,7 +770,9 @@ TEST(Heat_method, from_points_curves_and_regions)
       std::vector<IT::Geodesic_source> of_cover = sources;
       for (IT::Geodesic_source& source : of_cover)
         for (std::vector<IT::Surface_point>& part : source.parts)
-          part = IT::points_of_cover(cover, surface.triangles, {in_triangles(input, surface.triangles, part)}).front();
+          part = IT::sources_on_cover(cover, surface.triangles, {in_triangles(input, surface.triangles, part)})
+                   .front()
+                   .parts.front();
       on_cover.add_sources(cover, of_cover);
       for (IT::Heat_method<>* method : {&heat, &on_cover}) {
         double sum = 0, most = 0;

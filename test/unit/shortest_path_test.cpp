@@ -512,12 +512,20 @@ void expect_shortest(const IT::Path_on_triangles& path, const Points& points,
   EXPECT_TRUE(path.is_complete);
   EXPECT_NEAR(path.distance, distance, 1e-12 * distance);
   EXPECT_NEAR(path.length, distance, 1e-12 * distance);
-  ASSERT_EQ(path.positions.size(), path.triangles.size() + 1);
+  ASSERT_EQ(path.positions.size(), path.points.size());
   double sum = 0;
-  for (std::size_t i = 0; i < path.triangles.size(); ++i) {
-    sum += length(path.positions[i], path.positions[i + 1]);
-    const auto& [a, b, c] = triangles.at(path.triangles[i]);
-    for (const auto& p : {path.positions[i], path.positions[i + 1]})
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const auto& t = triangles.at(path.points[i].triangle);
+    std::array<double, 3> place{0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t x = 0; x < 3; ++x)
+        place[x] += path.points[i].coordinates[k] * points[t[k]][x];
+    EXPECT_LT(length(place, path.positions[i]), 1e-14 * (1 + distance));
+    if (i == 0)
+      continue;
+    sum += length(path.positions[i - 1], path.positions[i]);
+    const auto& [a, b, c] = triangles.at(path.points[i - 1].triangle);
+    for (const auto& p : {path.positions[i - 1], path.positions[i]})
       EXPECT_NEAR(area(p, points[a], points[b]) + area(p, points[b], points[c]) + area(p, points[c], points[a]),
                   area(points[a], points[b], points[c]), 1e-6);
   }
@@ -754,7 +762,7 @@ TEST(Shortest_path_on_triangles, refuses_what_has_no_path)
     EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, 0, target), IT::Invalid_argument_error) << target;
   const IT::Path_on_triangles none = IT::shortest_path_on_triangles(points, triangles, 2, 2);
   EXPECT_EQ(none.positions.size(), 1u);
-  EXPECT_TRUE(none.triangles.empty() && none.length == 0 && none.is_complete);
+  EXPECT_TRUE(none.points.size() == 1 && none.length == 0 && none.is_complete);
   EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, 0, 1, CGAL::parameters::visitor([] { return false; })),
                IT::Cancelled_error);
 }

@@ -26,7 +26,7 @@ struct Geodesic_source
 {
   /// Each part is a point or a curve of straight segments. Two consecutive points of a curve lie in the face of the
   /// first, as in the results of `geodesic_points()`. Curves may cross each other and themselves. A closed curve ends
-  /// where it begins.
+  /// where it begins. A point whose barycentric coordinate is below 2⁻⁴⁰ of their sum lies on that edge.
   std::vector<std::vector<Surface_point>> parts;
   double offset = 0; ///< the distance at these points, not negative, in the unit of the input
 };
@@ -52,18 +52,19 @@ struct Point_in_triangle
 };
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief returns points and curves of the input of a cover, `cover.triangulation.input()`, given in the triangles below
-/// it, as parts of a `Geodesic_source`. Triangles next to those of zero area may be cut in the cover: curves get points
-/// where they cross a cut.
+/// \brief returns points and curves, given in the triangles below a cover, as sources on it: on its input,
+/// `cover.triangulation.input()`. A curve gets several parts where it goes over an edge of several triangles, and points
+/// where it crosses a cut beside a triangle of zero area.
 /// \param cover a cover
 /// \param triangles the triangles from which it was made
-/// \param parts each a point or a curve: points of the triangles
+/// \param curves each a point or a curve: points of the triangles, each one in the triangle of the one before
 /// \exception Invalid_point_error if there is no such triangle, or it has zero area, and no triangle with an area has the
-///   edge where the point lies
+///   edge where the point lies; if coordinates are negative or not finite; or if a point does not lie in the triangle of
+///   the one before
 /// O(number of triangles and points), and as much for each point of a triangle of zero area.
-std::vector<std::vector<Surface_point>> points_of_cover(const Tufted_cover& cover,
-                                                        const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                                        const std::vector<std::vector<Point_in_triangle>>& parts);
+std::vector<Geodesic_source> sources_on_cover(const Tufted_cover& cover,
+                                              const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                              const std::vector<std::vector<Point_in_triangle>>& curves);
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -235,7 +235,7 @@ public:
     place(triangulation, internal::Row_of_vertex(triangulation.connectivity()), sources);
   }
   /// \brief as above, on a cover. \param cover the argument of the constructor
-  /// \param sources points of `cover.triangulation.input()`, as given by `points_of_cover()`
+  /// \param sources points of `cover.triangulation.input()`, as given by `sources_on_cover()`
   void add_sources(const Tufted_cover& cover, const std::vector<Geodesic_source>& sources)
   {
     place(cover.triangulation, internal::Row_of_cover_vertex(cover), sources);

@@ -38,7 +38,7 @@ public:
   /// \param input the surface; no two of its edges have the same two ends
   /// \param points of its vertices
   /// \param barriers curves, two consecutive points in the face of the first, as of `geodesic_points()`. They meet only
-  ///   at points that both have
+  ///   at points that both have; points within 2⁻⁴⁰ of an edge lie on it, as for `cut_along_path()`
   /// \exception Invalid_surface_error, Invalid_point_error as `cut_along_path()`
   Surface_with_barriers(const Delta_complex& input, const std::vector<std::array<double, 3>>& points,
                         const std::vector<std::vector<Surface_point>>& barriers);

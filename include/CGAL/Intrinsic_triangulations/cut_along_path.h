@@ -50,7 +50,8 @@ Cut_surface cut_along_paths(const Delta_complex& complex, const std::vector<std:
 /// \param complex the input; no two of its edges have the same two ends
 /// \param points a random access range of the points of its vertices, each with three coordinates
 /// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and
-///   `geodesic_points()`. Its segments do not cross. A closed path ends where it begins
+///   `geodesic_points()`. Its segments do not cross. A closed path ends where it begins. A point whose barycentric
+///   coordinate is below 2⁻⁴⁰ of their sum lies on that edge
 /// \return the triangles; the input triangles if the path has fewer than two points
 /// \exception Invalid_surface_error if two edges have the same two ends
 /// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the

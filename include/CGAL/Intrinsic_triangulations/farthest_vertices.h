@@ -80,7 +80,7 @@ std::vector<Farthest_vertex> farthest_vertices(const Intrinsic_triangulation<Tra
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief as above, for any triangles.
 /// \param cover a cover that was made Delaunay
-/// \param sources points of `cover.triangulation.input()`, as given by `points_of_cover()`
+/// \param sources points of `cover.triangulation.input()`, as given by `sources_on_cover()`
 /// \param number, np as above
 template <class NamedParameters = parameters::Default_named_parameters>
 std::vector<Farthest_vertex> farthest_vertices(const Tufted_cover& cover, const std::vector<Geodesic_source>& sources,

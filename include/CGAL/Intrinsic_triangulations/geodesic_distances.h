@@ -157,7 +157,7 @@ Geodesic_distances geodesic_distances_from(const Intrinsic_triangulation<Traits>
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief as above, for any triangles.
 /// \param cover a cover that was made Delaunay
-/// \param sources points of `cover.triangulation.input()`, as given by `points_of_cover()`
+/// \param sources points of `cover.triangulation.input()`, as given by `sources_on_cover()`
 /// \param np as above
 template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances_from(const Tufted_cover& cover, const std::vector<Geodesic_source>& sources,

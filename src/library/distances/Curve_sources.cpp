@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/distances/Curve_sources.h>
 
 #include "../gluing/Cut_faces.h"
+#include "coordinates_in_part.h"
 #include "plane_vectors.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -93,18 +94,12 @@ private:
 
   Surface_point checked(Surface_point p) const
   {
-    double sum = 0;
-    bool is_valid = p.halfedge.idx() < input_.number_of_halfedges() && !input_.is_border(p.halfedge);
-    for (double x : p.coordinates) {
-      is_valid = is_valid && x >= 0 && x <= 0x1p500;
-      sum += x;
-    }
-    if (!is_valid || !(sum > 0x1p-500))
+    if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) ||
+        !are_of_a_point(p.coordinates))
       throw Invalid_point_error("a point of source " + std::to_string(number_) +
-                                " does not lie on the surface: it needs a halfedge of a face, and coordinates that are "
-                                "not negative");
-    for (double& x : p.coordinates)
-      x /= sum;
+                                " does not lie on the surface: it needs a face, and coordinates that are finite, not "
+                                "negative and not all zero");
+    p.coordinates = on_near_edges(p.coordinates);
     return p;
   }
 
@@ -234,7 +229,7 @@ private:
     const double whole = length(start, end), long_way = std::ldexp(1, 30) * whole;
     const std::vector<Surface_point> into = trace_in_triangulation(engine_, onward, long_way, 1).points;
     result.located = into.front();
-    Face_source first = piece(into, 0);
+    Face_source first = piece(into, 0, true);
     const double way = std::ldexp(whole, -faces_.exponent());
     if (way <= first.length) {
       first.length = way;
@@ -246,7 +241,7 @@ private:
     std::size_t longest = 0;
     double most = first.length;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      result.pieces.push_back(piece(points, i));
+      result.pieces.push_back(piece(points, i, i + 2 < points.size()));
       if (result.pieces.back().length > most) {
         most = result.pieces.back().length;
         longest = i;
@@ -282,7 +277,7 @@ private:
 
   Face_source piece_in_kept_face(const Surface_point& start, const Coordinates& end) const
   {
-    Face_source result = piece({start}, 0);
+    Face_source result = piece({start}, 0, false);
     const Laid_out_faces::Side& base = faces_.side(result.side);
     const double second = end[1] - start.coordinates[1], third = end[2] - start.coordinates[2];
     const Vector way{second * base.length + third * base.apex_x, third * base.apex_y};
@@ -321,14 +316,23 @@ private:
     return {c[1] * base.length + c[2] * base.apex_x, c[2] * base.apex_y};
   }
 
-  Face_source piece(const std::vector<Surface_point>& points, std::size_t i) const
+  // \param leaves whether the line crosses the side where the piece ends: then that point is given in the face beyond,
+  // which may be the same one
+  Face_source piece(const std::vector<Surface_point>& points, std::size_t i, bool leaves) const
   {
     Face_source result;
     result.side = side(points[i].halfedge);
     result.from = place(result.side, points[i].coordinates);
     if (i + 1 < points.size()) {
-      const Vector way = plane::difference(
-        place(result.side, coordinates_in_face_of(complex_, points[i].halfedge, points[i + 1])), result.from);
+      Surface_point end = points[i + 1];
+      if (leaves && end.dimension() == 1)
+        if (const Halfedge_index h = complex_.opposite(side_of(complex_, end));
+            !complex_.is_border(h) && complex_.face(h) == complex_.face(points[i].halfedge)) {
+          const auto [a, b] = coordinates_on_edge(complex_, end, h);
+          end = {h, {a, b, 0}};
+        }
+      const Vector way =
+        plane::difference(place(result.side, coordinates_in_face_of(complex_, points[i].halfedge, end)), result.from);
       result.length = std::hypot(way[0], way[1]);
       if (result.length > 0)
         result.direction = {way[0] / result.length, way[1] / result.length};
@@ -380,7 +384,7 @@ private:
       at_row(row_of_[Cut_faces::vertex_at(complex_, located).idx()]).is_isolated = true;
       return;
     }
-    Face_source source = piece({located}, 0);
+    Face_source source = piece({located}, 0, false);
     source.limits = limits;
     if (located.dimension() == 1) {
       // Relative to the side on which it lies.

@@ -111,12 +111,11 @@ std::vector<Surface_point> Surface_with_barriers::on_input(const std::vector<Sur
 
 Surface_point Surface_with_barriers::checked(const Surface_point& p) const
 {
-  const auto is_negative = [](double x) { return !(x >= 0); };
-  if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) || p.dimension() < 0 ||
-      std::any_of(p.coordinates.begin(), p.coordinates.end(), is_negative))
-    throw Invalid_point_error("a point of a source does not lie on the surface: it needs a halfedge of a face, and "
-                              "coordinates that are not negative");
-  return {p.halfedge, internal::with_sum_one(p.coordinates)};
+  if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) ||
+      !internal::are_of_a_point(p.coordinates))
+    throw Invalid_point_error("a point of a source does not lie on the surface: it needs a face, and coordinates that "
+                              "are finite, not negative and not all zero");
+  return {p.halfedge, internal::on_near_edges(p.coordinates)};
 }
 
 // The coordinates of the corners of a triangle, relative to a halfedge of its face.

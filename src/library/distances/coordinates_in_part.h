@@ -8,9 +8,25 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_COORDINATES_IN_PART_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_COORDINATES_IN_PART_H
 
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Whether they are those of a point of a face.
+inline bool are_of_a_point(const std::array<double, 3>& coordinates)
+{
+  double sum = 0;
+  bool result = true;
+  for (double x : coordinates) {
+    result = result && x >= 0 && x <= 0x1p500;
+    sum += x;
+  }
+  return result && sum > 0x1p-500;
+}
 
 inline double determinant(const std::array<double, 3>& p, const std::array<double, 3>& q,
                           const std::array<double, 3>& r)
@@ -25,6 +41,29 @@ inline std::array<double, 3> coordinates_in_part(const std::array<std::array<dou
   const double whole = determinant(corners[0], corners[1], corners[2]);
   return {determinant(p, corners[1], corners[2]) / whole, determinant(corners[0], p, corners[2]) / whole,
           determinant(corners[0], corners[1], p) / whole};
+}
+
+// The barycentric coordinates of a point on the sides of a triangle, which may have no area.
+inline std::array<double, 3> coordinates_on_sides(const std::array<std::array<double, 3>, 3>& corners,
+                                                  const std::array<double, 3>& p)
+{
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array<double, 3>&a = corners[i], &b = corners[(i + 1) % 3];
+    if (!are_collinear(a, b, p))
+      continue;
+    std::size_t k = 0;
+    for (std::size_t j = 1; j < 3; ++j)
+      if (std::abs(b[j] - a[j]) > std::abs(b[k] - a[k]))
+        k = j;
+    const double part = (p[k] - a[k]) / (b[k] - a[k]);
+    if (!(part >= 0 && part <= 1))
+      continue;
+    result[i] = 1 - part;
+    result[(i + 1) % 3] = part;
+    break;
+  }
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

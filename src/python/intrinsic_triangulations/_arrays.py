@@ -237,3 +237,29 @@ def sparse(parts: Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, Tuple[int, 
     matrix = scipy.sparse.csc_matrix((data, rows, columns), shape=shape)
     matrix.has_sorted_indices = True
     return matrix
+
+
+def places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: int) -> numpy.ndarray:
+    """Return rows of a triangle and barycentric coordinates."""
+    array = numpy.asarray(source)
+    if array.shape in ((), (2,)):
+        ends = [vertex(v, name, number_of_vertices) for v in array.reshape(-1).tolist()]
+        triangles = numpy.nonzero(numpy.all([(faces == v).any(axis=1) for v in ends], axis=0))[0]
+        if len(triangles) == 0:
+            raise ValueError(f"{name} has to name vertices of one triangle, and none has {ends}")
+        return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
+    if array.ndim > 2 or array.shape[-1] != 4:
+        raise ValueError(f"{name} has to be an integer (a vertex), two (an edge), four numbers (a triangle and barycentric coordinates, as "
+                         f"EdgeFlipGeodesicSolver(V, F).locate(point) finds them) or rows of four (a curve), and has the shape {array.shape}")
+    rows = finite(source, name, array.shape).reshape(-1, 4)
+    require_sources(len(rows), name)
+    if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
+        raise ValueError(f"{name} has to begin with the number of a triangle, and this is not whole")
+    return rows
+
+
+def numbers_and_coordinates(places: Sequence[numpy.ndarray], faces: numpy.ndarray) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    """Return the triangles and the coordinates of such rows."""
+    rows = numpy.concatenate(places)
+    numbers = indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
+    return numbers, numpy.ascontiguousarray(rows[:, 1:])

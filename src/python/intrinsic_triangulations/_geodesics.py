@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional, Tuple
+from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
 import numpy
 from numpy.typing import ArrayLike
@@ -51,7 +51,10 @@ class ShortestPath(NamedTuple):
     positions: numpy.ndarray
     """(k, 3) array: its points, joined by straight lines; rounded."""
     faces: numpy.ndarray
-    """(k - 1,) array of int64: for each line, a face in which it lies."""
+    """(k,) array of int64: a face of each point, which contains the next one, too. Empty if source and target are one vertex
+    that has no face."""
+    coordinates: numpy.ndarray
+    """(k, 3) array: the barycentric coordinates of each point in its face."""
     length: float
     """The sum of the lengths of the lines."""
     distance: float
@@ -59,9 +62,14 @@ class ShortestPath(NamedTuple):
     is_complete: bool
     """Whether it was found; if not, some lines are missing."""
 
+    @property
+    def places(self) -> numpy.ndarray:
+        """(k, 4) array: the path as a source of `geodesic_distances_from`."""
+        return numpy.column_stack([self.faces, self.coordinates])
 
-def shortest_path(V: ArrayLike, F: ArrayLike, source: int, target: int) -> ShortestPath:
-    """Return a shortest path between two vertices of any triangles.
+
+def shortest_path(V: ArrayLike, F: ArrayLike, source: Any, target: Any, via: Sequence[Any] = ()) -> ShortestPath:
+    """Return a shortest path between two vertices or points of any triangles.
 
     It goes from each face at an edge into all others, however many there are, as `geodesic_distances` does.
 
@@ -69,25 +77,39 @@ def shortest_path(V: ArrayLike, F: ArrayLike, source: int, target: int) -> Short
     ----------
     V, F
         As for `MeshHeatMethodDistanceSolver`.
-    source, target : integer
-        The vertices. `EdgeFlipGeodesicSolver.find_path` takes points of a surface, too.
+    source, target : integer, or four numbers
+        The ends: vertices, or points, given as sources of `geodesic_distances_from`. `EdgeFlipGeodesicSolver.find_path`
+        takes points in space.
+    via : sequence
+        Vertices or points in between: the path is shortest from each one to the next.
 
     Returns
     -------
     ShortestPath
-        With one position if both vertices are at the same point.
+        With one position if all stops are at the same point.
 
     Raises
     ------
     InvalidArgumentError
         If there is no path, or all faces around some vertex have zero area: `repair` removes them.
+    InvalidPointError
+        If a point does not lie on the surface.
     InvalidSurfaceError
         As for `MeshHeatMethodDistanceSolver`.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    ends = [_arrays.vertex(end, name, len(points)) for end, name in ((source, "source"), (target, "target"))]
     _arrays.warn_of_gaps(points, faces)
-    return ShortestPath(*_core.shortest_path(points, faces, *ends))
+    stops = {"source": source, **{f"via[{i}]": stop for i, stop in enumerate(via)}, "target": target}
+    if len(stops) == 2 and not any(numpy.ndim(stop) for stop in stops.values()):
+        ends = [_arrays.vertex(stop, name, len(points)) for name, stop in stops.items()]
+        return ShortestPath(*_core.shortest_path(points, faces, numpy.array(ends, numpy.uint32), numpy.zeros(0, numpy.uint32),
+                                                 numpy.zeros((0, 3))))
+    places = [_arrays.places(stop, name, faces, len(points)) for name, stop in stops.items()]
+    if any(len(place) != 1 for place in places):
+        raise ValueError("source, target and via have to be vertices, or points of four numbers: a triangle and "
+                         "barycentric coordinates")
+    return ShortestPath(*_core.shortest_path(points, faces, numpy.zeros(0, numpy.uint32),
+                                             *_arrays.numbers_and_coordinates(places, faces)))
 
 
 def _path(parts: tuple) -> GeodesicPath:

@@ -316,33 +316,12 @@ def _placed(points: numpy.ndarray, faces: numpy.ndarray, sources: Sequence[Any],
     """Return the triangles and coordinates of all points of sources and barriers, where each begins, and the offsets."""
     if isinstance(sources, Integral):  # as geodesic_distances() takes one
         sources = [sources]
-    places = [_places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
+    places = [_arrays.places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
     _arrays.require_sources(len(places), "sources")
     starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
-    places += [_places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
-    rows = numpy.concatenate(places)
+    places += [_arrays.places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
     first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
-    numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
-    return numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts
-
-
-def _places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: int) -> numpy.ndarray:
-    """Return rows of a triangle and barycentric coordinates."""
-    array = numpy.asarray(source)
-    if array.shape in ((), (2,)):
-        ends = [_arrays.vertex(v, name, number_of_vertices) for v in array.reshape(-1).tolist()]
-        triangles = numpy.nonzero(numpy.all([(faces == v).any(axis=1) for v in ends], axis=0))[0]
-        if len(triangles) == 0:
-            raise ValueError(f"{name} has to name vertices of one triangle, and none has {ends}")
-        return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
-    if array.ndim > 2 or array.shape[-1] != 4:
-        raise ValueError(f"{name} has to be an integer (a vertex), two (an edge), four numbers (a triangle and barycentric coordinates, as "
-                         f"EdgeFlipGeodesicSolver(V, F).locate(point) finds them) or rows of four (a curve), and has the shape {array.shape}")
-    rows = _arrays.finite(source, name, array.shape).reshape(-1, 4)
-    _arrays.require_sources(len(rows), name)
-    if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
-        raise ValueError(f"{name} has to begin with the number of a triangle, and this is not whole")
-    return rows
+    return (*_arrays.numbers_and_coordinates(places, faces), first, starts)
 
 
 def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:
