@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// All headers that need neither Eigen, exact numbers, nor a GPL part of CGAL. The GPL headers, for Surface_mesh and for the
-// repair of polygons, are named in LICENSE.
+// All headers that need neither Eigen, exact numbers, nor a GPL part of CGAL. The GPL headers, for Surface_mesh and for
+// the repair of polygons, are named in LICENSE.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_H

@@ -14,7 +14,8 @@
 namespace idt {
 
 // Reads the real properties of the vertices, as `idt distance -o F.ply` writes them, but neither coordinates nor
-// normals, colours and places in a texture. Nothing of a file in another format, or with lists before or at its vertices.
+// normals, colours and places in a texture. Nothing of a file in another format, or with lists before or at its
+// vertices.
 // \param path a file that was read as a mesh
 std::vector<Named_values> read_ply_values(const std::string& path);
 

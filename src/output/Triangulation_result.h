@@ -56,8 +56,8 @@ Exit_status exit_status(const Outcome& outcome);
 Exit_status exit_status(const Triangulation_result& result);
 
 // How it ended, for programs: `done`, `interrupted`, `flip budget`, `point budget`, `undecided`, `not flippable`,
-// `inconsistent`, `not Delaunay`, `no surface` or `bad triangles` that are straight, or `incomplete` if something could not be
-// determined.
+// `inconsistent`, `not Delaunay`, `no surface` or `bad triangles` that are straight, or `incomplete` if something could
+// not be determined.
 const char* status_word(const Triangulation_result& result);
 
 // The same in words, with the first edge to blame.

@@ -214,8 +214,8 @@ inline bool is_sound(const std::string& what_is_wrong)
 }
 
 // Whether the segments form the edges of both triangulations, alternate at crossings, leave each vertex in the right
-// order, and bound faces that each lie in one input and one intrinsic face and have at least three sides, since straight
-// lines meet once.
+// order, and bound faces that each lie in one input and one intrinsic face and have at least three sides, since
+// straight lines meet once.
 inline bool is_valid(const IT::Incremental_overlay& overlay)
 {
   return is_sound(IT::internal::Incremental_overlay_check(overlay).defect());
@@ -260,8 +260,8 @@ inline std::string difference_of_overlays(const IT::Overlay& overlay, const IT::
   return std::string();
 }
 
-// Whether each edge of both triangulations has the same crossings in the same order, and the same edges coincide, in the
-// same direction. The numbers of segments and crossings may differ.
+// Whether each edge of both triangulations has the same crossings in the same order, and the same edges coincide, in
+// the same direction. The numbers of segments and crossings may differ.
 inline bool are_same_overlay(const IT::Overlay& overlay, const IT::Incremental_overlay& incremental)
 {
   return is_sound(difference_of_overlays(overlay, incremental));

@@ -54,8 +54,8 @@ Exact flipped(const Five& f)
   return result.kl;
 }
 
-// The sum of the two cotangents, up to a positive factor: the oracle for triangles that obey the triangle inequality. By
-// squared areas, without roots.
+// The sum of the two cotangents, up to a positive factor: the oracle for triangles that obey the triangle inequality.
+// By squared areas, without roots.
 int sign_of_cotangents(const Five& f)
 {
   const auto square = [](const Exact& x) { return x * x; };
@@ -170,7 +170,8 @@ TEST(Ptolemy_traits, doubles_flip_as_rational_numbers_do)
 
 TEST(Ptolemy_traits, a_doubled_surface_has_a_symmetric_tessellation)
 {
-  // Two copies of a strip of triangles, glued along the border: 2 n triangles, of which 3 f + i is glued to 3 (n + f) + 2 - i.
+  // Two copies of a strip of triangles, glued along the border: 2 n triangles, of which 3 f + i is glued to 3 (n + f) +
+  // 2 - i.
   std::mt19937 random(5);
   for (int trial = 0; trial < 20; ++trial) {
     const std::size_t n = 12;
@@ -201,8 +202,8 @@ TEST(Ptolemy_traits, a_doubled_surface_has_a_symmetric_tessellation)
     EXPECT_GT(IT::flip_to_Delaunay(t).flips, 0u);
     IT::flip_to_Delaunay(exact);
     ASSERT_TRUE(t.connectivity() == exact.connectivity());
-    // Edges that are no ties come in pairs of equal length, or cross the mirror: then they have an equal angle criterion,
-    // so all numbers of the hinges occur as often as those of the mirrored ones.
+    // Edges that are no ties come in pairs of equal length, or cross the mirror: then they have an equal angle
+    // criterion, so all numbers of the hinges occur as often as those of the mirrored ones.
     std::map<std::pair<std::size_t, Exact>, int> seen;
     std::map<std::size_t, std::size_t> mirrored;
     for (std::size_t s = 0; s < 3 * n; ++s) {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where conformal maps are cut open, whether they overlap themselves, and whether what they state of sums of angles is true.
+// Where conformal maps are cut open, whether they overlap themselves, and whether what they state of sums of angles is
+// true.
 
 #include "conformal_claims.h"
 
@@ -158,7 +159,8 @@ TEST(Conformal_cuts, separate_components_of_very_different_sizes)
   EXPECT_FALSE(map.overlaps);
 }
 
-// The largest difference of the sums of angles around vertices off the cones from 2π, and from the angles wanted at cones.
+// The largest difference of the sums of angles around vertices off the cones from 2π, and from the angles wanted at
+// cones.
 long double largest_error(const IT::Discrete_conformal_metric& metric,
                           const std::vector<std::pair<Vertex_index, double>>& cones)
 {

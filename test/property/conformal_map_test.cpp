@@ -247,8 +247,8 @@ TEST(Conformal_map, flattens_a_cone_by_a_power)
   EXPECT_LT(errors_of_u.back(), 2e-3);
 }
 
-// A piece with four corners is two triangles: one projective map, which is known from three corners. Neighbors on both sides
-// of a line of the ideal triangulation have different ones.
+// A piece with four corners is two triangles: one projective map, which is known from three corners. Neighbors on both
+// sides of a line of the ideal triangulation have different ones.
 TEST(Conformal_map, is_projective_in_homogeneous_coordinates)
 {
   const Triangulation t = triangulation_of(samples::bumpy_dome(24, 20, 0.6));

@@ -200,7 +200,8 @@ TEST(Discrete_conformal_metric, does_not_depend_on_the_triangles)
       angle.first = Vertex_index(number[angle.first.idx()]);
     const std::vector<double> u_of_renumbered = metric_of(renumbered, of_renumbered).u;
 
-    // With a vertex in the middle of each edge, where it is flat and needs no scale of its own. On the border, it has one.
+    // With a vertex in the middle of each edge, where it is flat and needs no scale of its own. On the border, it has
+    // one.
     Indexed_triangles subdivided = surface;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t i, std::uint32_t j) {

@@ -121,7 +121,8 @@ protected:
   }
 
   // Interrupts `run(state)` at each point, or, if there are more, at about `most` of each kind. `check(state, whole)`
-  // is called after each, with the state after a run that was not interrupted. The operation ends with its first failure.
+  // is called after each, with the state after a run that was not interrupted. The operation ends with its first
+  // failure.
   template <class Make, class Run, class Check>
   void sweep(const std::string& name, const Make& make, const Run& run, const Check& check)
   {

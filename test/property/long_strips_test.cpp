@@ -385,8 +385,8 @@ TEST(Long_strips, points_are_proven_to_lie_on_lines_across_parallel_folds)
   }
 }
 
-// Two segments in the outermost rectangles of a high folded strip, along the folds: from `low` to `high`, as parts of its
-// height.
+// Two segments in the outermost rectangles of a high folded strip, along the folds: from `low` to `high`, as parts of
+// its height.
 struct Trapezoid
 {
   double low_left, high_left, low_right, high_right;

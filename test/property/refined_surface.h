@@ -33,8 +33,8 @@ inline double total_area(const Refined_triangulation& t)
 }
 
 // Whether the angles at a vertex sum exactly to 2π, or to π on the border (Gauss-Bonnet): the product of the numbers
-// p + i a of all corners, whose arguments are the angles, is real, of the right sign, and the sum is no other multiple of
-// 2π by far.
+// p + i a of all corners, whose arguments are the angles, is real, of the right sign, and the sum is no other multiple
+// of 2π by far.
 inline bool is_exactly_flat(const Refined_triangulation& t, CGAL::Intrinsic_triangulations::Vertex_index v)
 {
   namespace IT = CGAL::Intrinsic_triangulations;

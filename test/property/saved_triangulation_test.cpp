@@ -425,8 +425,9 @@ TEST(SavedTriangulation, InsertedVerticesInWrongPlaces)
     }
 }
 
-// Three vertices on a line that an edge from the first to the last passes by, so that the face between has no area, and in that face a
-// fourth one: where it lies beyond the last, all parts of the face have no area either, and no sign tells. Angles do.
+// Three vertices on a line that an edge from the first to the last passes by, so that the face between has no area, and
+// in that face a fourth one: where it lies beyond the last, all parts of the face have no area either, and no sign
+// tells. Angles do.
 TEST(SavedTriangulation, InsertedVertexOutsideOfAFaceWithoutArea)
 {
   const auto restored = [](double x) {

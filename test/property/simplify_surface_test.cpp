@@ -421,8 +421,8 @@ TEST(Simplify_surface, hard_surfaces_end_with_a_bound)
   }
 }
 
-// Two vertices of a curved surface are next to each other: the faces between them are far too thin for their lengths to be
-// described by doubles. All others are simplified as ever.
+// Two vertices of a curved surface are next to each other: the faces between them are far too thin for their lengths to
+// be described by doubles. All others are simplified as ever.
 TEST(Simplify_surface, faces_thinner_than_doubles_stay_as_they_are)
 {
   for (double gap : {1e-9, 1e-13, 1e-16}) {

@@ -105,7 +105,8 @@ TEST(Whole_edges, stay_on_the_border)
   }
 }
 
-// A vertex close to the middle of a long edge: without a vertex on it, two angles stay small. The other edges are split.
+// A vertex close to the middle of a long edge: without a vertex on it, two angles stay small. The other edges are
+// split.
 TEST(Whole_edges, are_named_where_they_leave_small_angles)
 {
   Triangulation triangulation = triangulation_of(

@@ -35,8 +35,8 @@ struct Discrete_conformal_metric
   double residual = 0;
   double range_of_u = 0; ///< the largest minus the smallest value of u
   int steps = 0;         ///< steps of Newton's method
-  /// the ideal Delaunay triangulation of the surface, or if it has a border, of its double: two copies that are glued along
-  /// the border
+  /// the ideal Delaunay triangulation of the surface, or if it has a border, of its double: two copies that are glued
+  /// along the border
   Delta_complex triangulation;
   std::vector<double> lengths;        ///< the new lengths of its edges: triangles with these lengths are the metric
   std::vector<Vertex_index> vertices; ///< for each vertex of `triangulation`, the vertex of the surface

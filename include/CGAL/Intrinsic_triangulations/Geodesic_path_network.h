@@ -47,8 +47,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// blocked. Paths stay on their side of constrained edges and of the border: an angle with such an edge inside counts
 /// as straight.
 ///
-/// The triangulation is flipped, but stays a triangulation of the same surface. Do not change it by other means while the
-/// network exists: insert vertices first. Until it is rewound, a network keeps some 200 bytes for each flip.
+/// The triangulation is flipped, but stays a triangulation of the same surface. Do not change it by other means while
+/// the network exists: insert vertices first. Until it is rewound, a network keeps some 200 bytes for each flip.
 ///
 /// \tparam Traits traits with exact geometry, such as `Filtered_edge_length_traits`
 ///

@@ -33,8 +33,8 @@ struct Rational_lengths;
 /// points with `double` coordinates, lengths, or rational squared lengths.
 ///
 /// Coordinates and lengths are multiplied by a power of two, which is exact, if they are
-/// so large or so small that products of squared lengths would over- or underflow. `squared_lengths.h` has the functions
-/// that return rational numbers.
+/// so large or so small that products of squared lengths would over- or underflow. `squared_lengths.h` has the
+/// functions that return rational numbers.
 class Input_metric
 {
 public:

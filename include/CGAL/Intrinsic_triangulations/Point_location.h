@@ -323,8 +323,8 @@ inline std::pair<Coordinates, double> nearest_to_origin(const std::array<std::ar
 /// \param complex the triangles; each has three different vertices in space
 /// \param points a random access range of the points of the vertices, each with three coordinates
 /// \param p the point
-/// \return a point in a face, with rounded coordinates that sum to 1. None is positive and below 2⁻⁴⁰: a point that is so
-///   near to an edge or a vertex lies on it
+/// \return a point in a face, with rounded coordinates that sum to 1. None is positive and below 2⁻⁴⁰: a point that is
+///   so near to an edge or a vertex lies on it
 /// \exception Invalid_point_error if a coordinate of `p` is not finite, or there are no faces. O(size).
 template <class PointRange>
 Surface_point locate(const Delta_complex& complex, const PointRange& points, const std::array<double, 3>& p)

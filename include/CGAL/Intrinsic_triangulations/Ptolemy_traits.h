@@ -81,17 +81,17 @@ struct Ptolemy_numbers<double>
 /// \brief the metric of a triangulation as λ-lengths of ideal hyperbolic triangles with horocycles at their corners.
 ///
 /// Each edge stores its λ-length, a face nothing: any three positive numbers are the λ-lengths of a triangle, so
-/// lengths that violate the triangle inequality are accepted. A flip is Ptolemy's formula, `λ_kl = (λ_jk λ_il + λ_ki λ_lj)
-/// / λ_ij`. An edge is Delaunay if `λ_ij² (λ_jk λ_ki + λ_il λ_lj) <= (λ_jk λ_il + λ_ki λ_lj) (λ_ki λ_il + λ_jk λ_lj)`: for
-/// triangles that obey the triangle inequality, this is the criterion of opposite angles. Neither has a root or a
-/// difference, so rational numbers are closed under flips, and nothing cancels in floating point. `flip_to_Delaunay()`
-/// finds the ideal Delaunay triangulation. Only areas need roots.
+/// lengths that violate the triangle inequality are accepted. A flip is Ptolemy's formula, `λ_kl = (λ_jk λ_il + λ_ki
+/// λ_lj) / λ_ij`. An edge is Delaunay if `λ_ij² (λ_jk λ_ki + λ_il λ_lj) <= (λ_jk λ_il + λ_ki λ_lj) (λ_ki λ_il + λ_jk
+/// λ_lj)`: for triangles that obey the triangle inequality, this is the criterion of opposite angles. Neither has a
+/// root or a difference, so rational numbers are closed under flips, and nothing cancels in floating point.
+/// `flip_to_Delaunay()` finds the ideal Delaunay triangulation. Only areas need roots.
 ///
 /// A triangulation with these traits is constructed by `Intrinsic_triangulation::from_lengths()`, not from points.
 ///
 /// \tparam FT_ a model of `Field` and `RealEmbeddable`. With `double`, decisions are exact for the doubles given as
-///   lengths: where error bounds do not decide, rational numbers do, which are computed when they are needed. With an exact
-///   number type decisions are exact; an interval that cannot decide gives an uncertain answer
+///   lengths: where error bounds do not decide, rational numbers do, which are computed when they are needed. With an
+///   exact number type decisions are exact; an interval that cannot decide gives an uncertain answer
 ///
 /// \cgalModels{IntrinsicTriangulationTraits}
 ///
@@ -165,7 +165,8 @@ public:
     /// returns the λ-length.
     FT operator()(const Edge_data& e) const { return Numbers::length(e); }
   };
-  /// gives the area of the Euclidean triangle whose sides are as long as the λ-lengths. The number type has square roots.
+  /// gives the area of the Euclidean triangle whose sides are as long as the λ-lengths. The number type has square
+  /// roots.
   /// \pre the λ-lengths obey the triangle inequality
   struct Compute_area
   {

@@ -21,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsSimplification
 /// \brief the map from a surface to a simplified one: it is continuous, one to one, and linear on pieces of faces.
 ///
-/// It consists of the steps of the simplification in order: in each step a few triangles are replaced by others. It needs
-/// about 600 bytes for each vertex that was removed.
+/// It consists of the steps of the simplification in order: in each step a few triangles are replaced by others. It
+/// needs about 600 bytes for each vertex that was removed.
 class Simplification_map
 {
 public:
@@ -63,8 +63,8 @@ public:
     std::uint32_t number;
     std::array<std::uint32_t, 3> corners;
   };
-  // The triangles around a vertex are replaced by others that cover the same part of the plane. The new ones can be laid
-  // out in order, each beside one before. The last point of the step is the vertex.
+  // The triangles around a vertex are replaced by others that cover the same part of the plane. The new ones can be
+  // laid out in order, each beside one before. The last point of the step is the vertex.
   struct Step
   {
     std::size_t first; // of its triangles: first the old ones

@@ -35,9 +35,9 @@ struct Distance_intervals
 /// \ingroup PkgIntrinsicTriangulationsSimplification
 /// \brief finds distances between the vertices of a surface by way of a simplified one.
 ///
-/// Straight ways are followed on the simplified surface, exactly up to rounding, between the places of the vertices. So the
-/// intervals contain the distances on the surface itself, up to rounding, and they are as narrow as the simplification
-/// allows. Any number of threads may ask one object.
+/// Straight ways are followed on the simplified surface, exactly up to rounding, between the places of the vertices. So
+/// the intervals contain the distances on the surface itself, up to rounding, and they are as narrow as the
+/// simplification allows. Any number of threads may ask one object.
 class Simplified_distances
 {
 public:
@@ -68,8 +68,8 @@ public:
   /// \brief finds the distances between all vertices: calls `visit(source, intervals)` for each vertex.
   ///
   /// The results are not kept: for 32,000 vertices, they are a billion numbers.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: then several threads
-  ///   call `visit` at once
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: then several
+  ///   threads call `visit` at once
   /// \param visit a function of a `Vertex_index` and of the `Distance_intervals` from it
   /// \param np an optional sequence of named parameters
   ///

@@ -79,8 +79,8 @@ struct Triangle_piece
 // Barycentric coordinates, divided by their sum.
 std::array<double, 3> with_sum_one(const std::array<double, 3>& coordinates);
 
-// The same, without positive ones below 2⁻⁴⁰: a point lies on an edge that rounding may have moved it off. Slivers between
-// them would have sides whose lengths are rounded to nothing.
+// The same, without positive ones below 2⁻⁴⁰: a point lies on an edge that rounding may have moved it off. Slivers
+// between them would have sides whose lengths are rounded to nothing.
 std::array<double, 3> on_near_edges(std::array<double, 3> coordinates);
 
 // The side on which a point on an edge lies.

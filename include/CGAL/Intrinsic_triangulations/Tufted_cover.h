@@ -83,8 +83,8 @@ struct Tufted_cover_report
 ///
 /// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. A tufted
 /// cover has two copies of each face of all other parts, one of them turned over; such a part counts half. The other
-/// covers have one copy of each face. The first vertices of the cover are the input vertices, with the same numbers. More follow where the faces at an input vertex form several
-/// fans in the cover. Vertices without faces are isolated.
+/// covers have one copy of each face. The first vertices of the cover are the input vertices, with the same numbers.
+/// More follow where the faces at an input vertex form several fans in the cover. Vertices without faces are isolated.
 struct Tufted_cover
 {
   /// the cover with its exact metric, before any flip
@@ -193,8 +193,8 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 ///
 /// Faces that name a vertex twice are dropped. Faces of zero area are segments: the faces at their longest side are cut
 /// at their third corner, which changes no distance, and edges that have no other faces remain as `flat_edges`. If they
-/// join vertices at the same place, these are one point of the cover. The parameter `coincident_vertices` determines how such vertices and edges of
-/// length zero are handled.
+/// join vertices at the same place, these are one point of the cover. The parameter `coincident_vertices` determines
+/// how such vertices and edges of length zero are handled.
 ///
 /// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`
 /// \tparam TriangleRange a range of random access ranges of three vertex indices each

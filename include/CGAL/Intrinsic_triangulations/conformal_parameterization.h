@@ -20,17 +20,17 @@ namespace CGAL::Intrinsic_triangulations {
 /// \brief maps a surface to the plane conformally, and proves that the result is locally injective.
 ///
 /// The metric is that of `discrete_conformal_metric()`. The surface is cut along shortest paths of edges of the ideal
-/// Delaunay triangulation, between its cones, and open where its topology demands it, and laid out triangle by triangle,
-/// across the longest edges first. A cut whose images agree to 10<sup>-12</sup> of the component's size is closed, as in a flat
-/// annulus. Then the corners of each vertex off the cuts are merged, the rounded result is checked by exact predicates, and
-/// overlaid with the input. Components come side by side, the smallest first. Without cones and handles, a surface with one
-/// border is not cut.
+/// Delaunay triangulation, between its cones, and open where its topology demands it, and laid out triangle by
+/// triangle, across the longest edges first. A cut whose images agree to 10<sup>-12</sup> of the component's size is
+/// closed, as in a flat annulus. Then the corners of each vertex off the cuts are merged, the rounded result is checked
+/// by exact predicates, and overlaid with the input. Components come side by side, the smallest first. Without cones
+/// and handles, a surface with one border is not cut.
 ///
 /// If triangles turn over or the metric does not converge, more cones are chosen where that is allowed.
 ///
 /// \param triangulation, np as for `discrete_conformal_metric()`
-/// \exception Numerical_error also if triangles turn over although the cones were given: the message names the first face
-///   and the range of u
+/// \exception Numerical_error also if triangles turn over although the cones were given: the message names the first
+///   face and the range of u
 /// Other exceptions as for `discrete_conformal_metric()`.
 template <class NamedParameters = parameters::Default_named_parameters>
 Conformal_map conformal_parameterization(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,

@@ -42,10 +42,10 @@ Conformal_options conformal_options_of(const NamedParameters& np)
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief finds the metric with given cone angles that is discretely conformally equivalent to that of a surface.
 ///
-/// Newton's method finds u. In each step, edges of the Delaunay triangulation of the surface are flipped until it is, with
-/// scaled lengths, an ideal Delaunay triangulation, by exact decisions; so there are triangles with these lengths. The
-/// energy is convex, so u is unique, up to a constant for each component without a vertex that keeps its scale; there the
-/// area stays the same. A surface with a border is doubled. Components may have any topology.
+/// Newton's method finds u. In each step, edges of the Delaunay triangulation of the surface are flipped until it is,
+/// with scaled lengths, an ideal Delaunay triangulation, by exact decisions; so there are triangles with these lengths.
+/// The energy is convex, so u is unique, up to a constant for each component without a vertex that keeps its scale;
+/// there the area stays the same. A surface with a border is doubled. Components may have any topology.
 ///
 /// \b Exactness. The lengths of the Delaunay triangulation are doubles within 1 ulp. In each step they are scaled, and
 /// rounded after it where edges were flipped; in between, decisions are exact. So the result is equivalent to a surface
@@ -71,10 +71,11 @@ Conformal_options conformal_options_of(const NamedParameters& np)
 ///     \cgalParamDefault{`Conformal_boundary::FREE`, and `ANGLES` if angles of the border are given}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_cones}
-///     \cgalParamDescription{how many cones are chosen in each component. They keep their scale, u = 0, and their angles
-///       follow}
+///     \cgalParamDescription{how many cones are chosen in each component. They keep their scale, u = 0, and their
+///       angles follow}
 ///     \cgalParamType{`std::size_t`, or `std::optional<std::size_t>`}
-///     \cgalParamDefault{none if `cone_angles` are given; otherwise so many that u has a range of at most `maximum_range`}
+///     \cgalParamDefault{none if `cone_angles` are given; otherwise so many that u has a range of at most
+///     `maximum_range`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_range}
 ///     \cgalParamDescription{of u, in a linear estimate: e<sup>2</sup> is a ratio of 7 between lengths}
@@ -84,20 +85,21 @@ Conformal_options conformal_options_of(const NamedParameters& np)
 ///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_argument_error if a vertex does not exist, is named twice or isolated, an angle is not positive, or
-///   the angles of a component do not have the sum that the theorem of Gauss and Bonnet demands: the message says what is
-///   missing. Less than 10<sup>-9</sup> is added to the last angle
+/// \exception Invalid_argument_error if a vertex does not exist, is named twice or isolated, an angle is not positive,
+///   or the angles of a component do not have the sum that the theorem of Gauss and Bonnet demands: the message says
+///   what is missing. Less than 10<sup>-9</sup> is added to the last angle
 /// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles
-/// \exception Numerical_error if rounding prevents convergence: the message names the range of u, and where a cone helps
+/// \exception Numerical_error if rounding prevents convergence: the message names the range of u, and where a cone
+///   helps
 /// \exception Cancelled_error if the visitor asks for it
 /// \exception Undecided_error as `flip_to_Delaunay()`
 ///
 /// A sparse Cholesky factorization and flips in each step; 5 to 10 steps are usual.
 ///
-/// Sources: B. Springborn, P. Schröder, U. Pinkall, "Conformal equivalence of triangle meshes" (2008); X. Gu, F. Luo, J.
-/// Sun, T. Wu, "A discrete uniformization theorem for polyhedral surfaces" (2018); M. Gillespie, B. Springborn, K. Crane,
-/// "Discrete conformal equivalence of polyhedral surfaces" (2021); for the step size, M. Campen, R. Capouellez, H. Shen, L.
-/// Zhu, D. Panozzo, D. Zorin, "Efficient and robust discrete conformal equivalence with boundary" (2021).
+/// Sources: B. Springborn, P. Schröder, U. Pinkall, "Conformal equivalence of triangle meshes" (2008); X. Gu, F. Luo,
+/// J. Sun, T. Wu, "A discrete uniformization theorem for polyhedral surfaces" (2018); M. Gillespie, B. Springborn, K.
+/// Crane, "Discrete conformal equivalence of polyhedral surfaces" (2021); for the step size, M. Campen, R. Capouellez,
+/// H. Shen, L. Zhu, D. Panozzo, D. Zorin, "Efficient and robust discrete conformal equivalence with boundary" (2021).
 template <class NamedParameters = parameters::Default_named_parameters>
 Discrete_conformal_metric
 discrete_conformal_metric(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,

@@ -81,14 +81,14 @@ Surface_lines lines_at(const Intrinsic_triangulation<Traits>& triangulation,
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief returns the lines whose points have a given distance from the nearest source.
 ///
-/// In each face, the distance is the smallest of the lengths of ways from corners, from sources in the face, and through
-/// each bundle that enters it. These functions are known in closed form, so lines are arcs of circles around unfolded
-/// sources and segments parallel to unfolded curves. With a `tolerance` of 0, **points** have the given distance up to
-/// rounding; otherwise up to what the tolerance changes. **Chords** between them keep to `maximum_deviation`: the
-/// distance of each of their points differs no more from the given one. Parts of a line can be missing only where
-/// distances differ by no more than that from the given one. All this follows from the convexity of the functions in
-/// each of the triangles into which faces are divided, except for rounding and, with a positive `tolerance`, for jumps
-/// of distances between faces, which are then added.
+/// In each face, the distance is the smallest of the lengths of ways from corners, from sources in the face, and
+/// through each bundle that enters it. These functions are known in closed form, so lines are arcs of circles around
+/// unfolded sources and segments parallel to unfolded curves. With a `tolerance` of 0, **points** have the given
+/// distance up to rounding; otherwise up to what the tolerance changes. **Chords** between them keep to
+/// `maximum_deviation`: the distance of each of their points differs no more from the given one. Parts of a line can be
+/// missing only where distances differ by no more than that from the given one. All this follows from the convexity of
+/// the functions in each of the triangles into which faces are divided, except for rounding and, with a positive
+/// `tolerance`, for jumps of distances between faces, which are then added.
 ///
 /// Lines are closed or end on the border. Smaller distances lie to their left.
 ///
@@ -106,9 +106,9 @@ Surface_lines lines_at(const Intrinsic_triangulation<Traits>& triangulation,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_argument_error if a distance is not positive or not finite, the deviation is not positive, or more
-///   than about a million points, and ten for each vertex, are needed: this is estimated first, and the message says
-///   what would suffice
+/// \exception Invalid_argument_error if a distance is not positive or not finite, the deviation is not positive, or
+///   more than about a million points, and ten for each vertex, are needed: this is estimated first, and the message
+///   says what would suffice
 /// \exception Invalid_point_error, Cancelled_error, Undecided_error as `geodesic_distances_from()`
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Surface_lines isolines(const Intrinsic_triangulation<Traits>& triangulation,

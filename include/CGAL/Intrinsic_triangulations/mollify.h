@@ -36,8 +36,8 @@ struct Mollification_report
 /// changes the surface: use it only if that is better than the alternatives. Exact
 /// decisions do not need it.
 ///
-/// The same ε is added to every length, the smallest that satisfies all corners (Sharp and Crane 2020, section 4.5). Two
-/// linear passes. If all triangles have the margin, nothing changes.
+/// The same ε is added to every length, the smallest that satisfies all corners (Sharp and Crane 2020, section 4.5).
+/// Two linear passes. If all triangles have the margin, nothing changes.
 ///
 /// \param complex the triangles
 /// \param lengths the length of each edge, in the order of the edges; they need not

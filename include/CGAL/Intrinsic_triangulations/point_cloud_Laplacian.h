@@ -36,7 +36,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The triangles around each point in the Delaunay triangulation of its neighbours' projections to a plane.
+// The triangles around each point in the Delaunay triangulation of its neighbors' projections to a plane.
 class Local_triangulations
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -95,7 +95,7 @@ public:
   }
 
 private:
-  // Two orthonormal vectors: the main directions of the neighbours.
+  // Two orthonormal vectors: the main directions of the neighbors.
   static Eigen::Matrix<double, 3, 2> tangent_plane(const std::vector<Eigen::Vector3d>& vectors)
   {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -142,7 +142,8 @@ inline Eigen::SparseMatrix<double> with_rows(const Eigen::SparseMatrix<double>& 
 ///
 /// \param points the points; the first of several at the same place represents all, and the others have rows of zeros
 /// \param n_neighbors the number of neighbors
-/// \param np an optional sequence of named parameters, those of `tufted_Laplacian()`. A visitor is asked from the beginning
+/// \param np an optional sequence of named parameters, those of `tufted_Laplacian()`. A visitor is asked from the
+///   beginning
 ///
 /// \exception Invalid_surface_error if a coordinate is not finite, there are fewer than three different points, or all
 ///   triangles have zero area

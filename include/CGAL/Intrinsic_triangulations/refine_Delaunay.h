@@ -199,8 +199,8 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 /// long. If none is given, refinement begins with 0. CAD programs leave slivers, sheets and tubes by mistake that need
 /// many vertices: if more than four for each vertex are needed, and many come closer to each other than 2^-14 of the
 /// longest side of the bounding box (or of the longest edge of a surface without points), refinement begins anew with
-/// 2^-21, 2^-20, 2^-17 and 2^-14 of it in turn. The result is the run with the fewest vertices and the fewest faces left;
-/// the report has its size.
+/// 2^-21, 2^-20, 2^-17 and 2^-14 of it in turn. The result is the run with the fewest vertices and the fewest faces
+/// left; the report has its size.
 ///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
 /// between them is kept. Two edges that are not flipped and form a corner of less than 60 degrees are split at powers
@@ -231,26 +231,26 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
-///     \cgalParamDescription{how far the straight triangle between the corners of a face may be from the surface, in the
-///       unit of the input: see `straight_mesh()`. Folds that few triangles could follow otherwise are kept, as if they
-///       were constrained, except near small corners between them. Faces whose straight triangles have an angle below 15
-///       degrees are refined, too, unless they are smaller than that distance}
+///     \cgalParamDescription{how far the straight triangle between the corners of a face may be from the surface, in
+///       the unit of the input: see `straight_mesh()`. Folds that few triangles could follow otherwise are kept, as if
+///       they were constrained, except near small corners between them. Faces whose straight triangles have an angle
+///       below 15 degrees are refined, too, unless they are smaller than that distance}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{whole_edges_map}
 ///     \cgalParamDescription{which edges must neither be flipped nor split, of the border or inside. Vertices may come
-///       closer to them than to others, but not so close that a triangle there gets a smaller angle than `minimum_angle`
-///       and than before. Faces that would need a vertex on such an edge are listed}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type, which
-///       is read only at the beginning}
+///       closer to them than to others, but not so close that a triangle there gets a smaller angle than
+///       `minimum_angle` and than before. Faces that would need a vertex on such an edge are listed}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type,
+///       which is read only at the beginning}
 ///     \cgalParamDefault{no such edges}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{size_map}
-///     \cgalParamDescription{how long edges may be at each vertex of the input, in its unit. Sizes are linear on the faces
-///       of the input, and an edge may be as long as the mean of those at its ends}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with `Vertex_index` as key type and `double` as value type;
-///       positive, or infinite}
+///     \cgalParamDescription{how long edges may be at each vertex of the input, in its unit. Sizes are linear on the
+///       faces of the input, and an edge may be as long as the mean of those at its ends}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `Vertex_index` as key type and `double` as value
+///       type; positive, or infinite}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_normal_angle}
@@ -261,8 +261,8 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{size_gradation}
-///     \cgalParamDescription{by how much sizes may grow along edges of the input, as a part of their lengths; larger ones
-///       are lowered}
+///     \cgalParamDescription{by how much sizes may grow along edges of the input, as a part of their lengths; larger
+///       ones are lowered}
 ///     \cgalParamType{`double`, positive}
 ///     \cgalParamDefault{0.3}
 ///   \cgalParamNEnd
@@ -285,8 +285,8 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the maximum number of new vertices}
 ///     \cgalParamType{`std::uint64_t`}
-///     \cgalParamDefault{ten for each vertex, and a million. Then refinement does not begin if lengths of edges need more,
-///       judged by areas}
+///     \cgalParamDefault{ten for each vertex, and a million. Then refinement does not begin if lengths of edges need
+///       more, judged by areas}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

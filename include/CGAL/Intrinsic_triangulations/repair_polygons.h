@@ -106,9 +106,9 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// - Polygons are cut into triangles as by `triangulate_polygon()`.
 /// - Vertices around which all faces have zero area and an angle of zero are removed: no area is lost. Vertices at the
 ///   same place on the common longest side of two faces of zero area become one.
-/// - If a stitching tolerance is given, edges are split where others end within them (see `Gap_kind::T_JUNCTION`), exactly
-///   or not farther away, and border vertices and the ends of edges that are not farther from each other are merged:
-///   T-junctions and narrow gaps are closed.
+/// - If a stitching tolerance is given, edges are split where others end within them (see `Gap_kind::T_JUNCTION`),
+///   exactly or not farther away, and border vertices and the ends of edges that are not farther from each other are
+///   merged: T-junctions and narrow gaps are closed.
 /// - Of several triangles with the same corners, one is kept; or two, if they are the wall between two rooms or the
 ///   sides of a fin, as an even number of other faces at their edges tells. A fin of one triangle goes with both sides.
 /// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
@@ -121,9 +121,9 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// - Vertices that belong to no triangle are removed.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
-/// Other zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs` for
-/// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no
-/// fatal finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
+/// Other zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs`
+/// for it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has
+/// no fatal finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
@@ -208,8 +208,8 @@ struct Polygon_triangles
 ///   vertex twice
 /// \param face the number of the polygon in messages
 ///
-/// \exception Invalid_surface_error with `WRONG_TOPOLOGY` if the polygon crosses itself, or winds twice around a part of
-///   itself; the message names the sides
+/// \exception Invalid_surface_error with `WRONG_TOPOLOGY` if the polygon crosses itself, or winds twice around a part
+///   of itself; the message names the sides
 ///
 /// Complexity: O(k log k) for k corners in practice, O(k<sup>3</sup>) for up to 200 corners far from a plane. It uses
 /// `CGAL::Constrained_Delaunay_triangulation_2` and `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.

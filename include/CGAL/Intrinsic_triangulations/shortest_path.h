@@ -218,10 +218,10 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief finds a shortest path between two vertices, and flips edges until it consists of edges.
 ///
-/// Straight lines are followed from the source as by `geodesic_distances()` without a tolerance; for a surface in space,
-/// those first that are nearest to the target (A*: the straight line in space is a lower bound). They are traced back, and
-/// the edges that they cross are flipped until the lines are edges.
-/// `Geodesic_path_network` proves that the path is locally shortest; its length then equals `distance` up to rounding.
+/// Straight lines are followed from the source as by `geodesic_distances()` without a tolerance; for a surface in
+/// space, those first that are nearest to the target (A*: the straight line in space is a lower bound). They are traced
+/// back, and the edges that they cross are flipped until the lines are edges. `Geodesic_path_network` proves that the
+/// path is locally shortest; its length then equals `distance` up to rounding.
 ///
 /// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces. It is flipped along the
 ///   path

@@ -21,17 +21,17 @@ namespace CGAL::Intrinsic_triangulations {
 /// \brief returns for each vertex whether it lies to the left (`POSITIVE`) or to the right (`NEGATIVE`) of a curve, or
 /// on it (`ZERO`).
 ///
-/// The curve has to separate: its parts are closed, or lead from border to border, there is something on either side, and
-/// no way leads from a left to a right side around them. So both rims of a ring, or two circles around the tube of a
-/// torus, run in opposite directions. Other components of the surface count as left.
+/// The curve has to separate: its parts are closed, or lead from border to border, there is something on either side,
+/// and no way leads from a left to a right side around them. So both rims of a ring, or two circles around the tube of
+/// a torus, run in opposite directions. Other components of the surface count as left.
 ///
 /// \param input the surface
 /// \param parts points of it, two consecutive ones of a part in the face of the first. Segments do not cross
 /// \exception Invalid_surface_error if two edges join the same vertices, which corners of triangles do not tell apart
 /// \exception Invalid_argument_error if the curve does not separate, so that the sides have no meaning. If there are
 ///   several parts, the message names those at fault
-/// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the face
-///   of the first, or segments cross
+/// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the
+///   face of the first, or segments cross
 ///
 /// O(size), and in a face with k points mostly O(k log k).
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<std::vector<Surface_point>>& parts);

@@ -51,9 +51,9 @@ struct Kept_vertices
 /// \brief a surface with fewer vertices, and its relation to the original one.
 ///
 /// With the map φ from one surface to the other, `shrink * d(p, q) <= d'(φp, φq) <= stretch * d(p, q)` for all points p
-/// and q of the same component, and the same is true of the lengths of all curves. This is proven, by intervals that are
-/// rounded outward: it includes the rounding of all lengths. Only coordinates of points on the new surface are rounded
-/// without a bound, in their last digits.
+/// and q of the same component, and the same is true of the lengths of all curves. This is proven, by intervals that
+/// are rounded outward: it includes the rounding of all lengths. Only coordinates of points on the new surface are
+/// rounded without a bound, in their last digits.
 struct Simplified_surface
 {
   /// the new surface, with a Delaunay triangulation. Its input consists of the triangles that `map` and everything
@@ -95,13 +95,13 @@ Simplified_surface simplify(const Exact_engine& engine, const Simplification_opt
 /// \ingroup PkgIntrinsicTriangulationsSimplification
 /// \brief removes vertices as long as it is proven that no distance changes by more than a given factor.
 ///
-/// \b The \b result \b is \b another \b surface: this function, and no other of the package, changes lengths; by how much
-/// is a part of the result.
+/// \b The \b result \b is \b another \b surface: this function, and no other of the package, changes lengths; by how
+/// much is a part of the result.
 ///
 /// The triangles around a vertex are laid flat, with longer or shorter edges from the vertex, and the polygon is
 /// triangulated without it. Each face has bounds for everything that has been mapped into it so far. The vertex whose
-/// removal gives the least bound is next. Flat vertices, and those on straight edges, cost nothing but rounding, so they
-/// go first. On the border, and on lines of constrained edges, vertices are removed by making the line straight.
+/// removal gives the least bound is next. Flat vertices, and those on straight edges, cost nothing but rounding, so
+/// they go first. On the border, and on lines of constrained edges, vertices are removed by making the line straight.
 ///
 /// First `triangulation` is flipped to Delaunay, which does not change its surface; `Simplified_surface::map` refers to
 /// its triangles after that.
@@ -141,15 +141,15 @@ Simplified_surface simplify(const Exact_engine& engine, const Simplification_opt
 /// \cgalNamedParamsEnd
 ///
 /// \return the new surface. O(n log n) for vertices of bounded degree
-/// \exception Invalid_argument_error if `maximum_change` or `sharp_angle` is out of range, or sharp edges are asked for on
-///   a surface that has only lengths
-/// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles, or a face has an angle
-///   below 2<sup>-400</sup> and a side that is not an edge of the input
+/// \exception Invalid_argument_error if `maximum_change` or `sharp_angle` is out of range, or sharp edges are asked for
+///   on a surface that has only lengths
+/// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles, or a face has an
+///   angle below 2<sup>-400</sup> and a side that is not an edge of the input
 /// \exception Cancelled_error if the visitor asks for it
 /// \exception Undecided_error as `flip_to_Delaunay()`
 ///
-/// Source: for the idea of laying a vertex flat, H.-T. D. Liu, M. Gillespie, B. Chislett, N. Sharp, A. Jacobson, K. Crane,
-/// "Surface simplification using intrinsic error metrics" (2023), which gives no bound.
+/// Source: for the idea of laying a vertex flat, H.-T. D. Liu, M. Gillespie, B. Chislett, N. Sharp, A. Jacobson, K.
+/// Crane, "Surface simplification using intrinsic error metrics" (2023), which gives no bound.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Simplified_surface simplify_surface(Intrinsic_triangulation<Traits>& triangulation,
                                     const NamedParameters& np = parameters::default_values())

@@ -185,7 +185,8 @@ auto to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation, const
 /// \brief copies straight triangles into a `Surface_mesh`.
 ///
 /// Vertex and face i are point and triangle i. The property maps `"f:input_face"` and `"f:region"` have the value type
-/// `std::uint32_t`, and so has `"e:line"`: the number of the line of a marked edge, and `number_of_lines` for all others.
+/// `std::uint32_t`, and so has `"e:line"`: the number of the line of a marked edge, and `number_of_lines` for all
+/// others.
 ///
 /// \tparam Point the type of the points
 /// \param straight the triangles

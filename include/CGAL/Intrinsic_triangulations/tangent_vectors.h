@@ -186,7 +186,7 @@ struct Vertex_frame
 {
   std::array<double, 3> x;      ///< the first axis
   std::array<double, 3> y;      ///< the second axis, to the left of the first
-  std::array<double, 3> normal; ///< the normal, towards the side from which faces are counterclockwise
+  std::array<double, 3> normal; ///< the normal, toward the side from which faces are counterclockwise
 
   /// returns a tangent vector in space.
   std::array<double, 3> in_space(const std::complex<double>& v) const

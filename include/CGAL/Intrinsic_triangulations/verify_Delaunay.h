@@ -152,8 +152,8 @@ private:
 ///   \cgalParamConstraints{which edges to leave out; with `Parallel_tag` several threads read it at once}
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_argument_error if the triangulation does not keep its input: those of traits that round keep it if
-/// `Intrinsic_triangulation::keep_input()` was called before the first flip
+/// \exception Invalid_argument_error if the triangulation does not keep its input: those of traits that round keep it
+/// if `Intrinsic_triangulation::keep_input()` was called before the first flip
 /// \exception Undecided_error if proofs of ties are demanded (see `Tie_proof`), and one takes too long
 /// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 ///

@@ -16,8 +16,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A number that is not negative, rounded up by each operation, with an exponent of any size. Infinite or NaN if nothing is
-// known.
+// A number that is not negative, rounded up by each operation, with an exponent of any size. Infinite or NaN if nothing
+// is known.
 class Rounded_up
 {
 public:
@@ -87,8 +87,8 @@ private:
   long exponent_ = 0;
 };
 
-// A complex number known to lie within a disk (see Disk for why a disk). The centre is rounded to nearest, and half a unit
-// in the last place of each coordinate goes into the radius.
+// A complex number known to lie within a disk (see Disk for why a disk). The centre is rounded to nearest, and half a
+// unit in the last place of each coordinate goes into the radius.
 class Mpfr_disk
 {
 public:

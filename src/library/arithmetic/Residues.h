@@ -156,7 +156,7 @@ public:
   //
   // With 2^B above all numerators and denominators, where B is `largest_size`, each quantity and its conjugates are
   // below 3 · 2^(2 B) and have a denominator below 2^(2 B); V has at most 2^(24 (n + 1)) terms.
-  // So h <= 8 n · 4 B + 24 (n + 1).
+  // So h <= 8 n · 4 B + 24 (n + 1), where 8 is the degree, and 24 is generous.
   static double certainty(double n, double largest_size)
   {
     const double h = 32 * n * largest_size + 24 * (n + 1);

@@ -231,7 +231,7 @@ private:
     scaled_points_ = points_;
     normalize_points(*scaled_points_, [&](std::size_t v) { return bool(is_used[v]); });
   }
-  // Of a face with one copy.
+  // Whether a side of a face with one copy runs to the smaller end, after turning.
   bool runs_to_smaller_end(const Side& side) const { return side.runs_to_smaller_end() != is_turned_[side.face()]; }
   Index third_vertex(Index s) const { return triangles()[s / 3][(s + 2) % 3]; }
 

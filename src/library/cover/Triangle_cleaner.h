@@ -91,7 +91,7 @@ private:
                                       "vertex " + std::to_string(v) + " has a coordinate that is not finite");
   }
 
-  // Returns how many there were.
+  // Returns how many triangles were removed.
   template <class Condition>
   std::size_t remove_if(const Condition& condition)
   {

@@ -29,8 +29,8 @@ class Line_budget
 public:
   explicit Line_budget(std::uint64_t number_of_vertices) : most_points_(1000000 + 10 * number_of_vertices) {}
 
-  // Levels that meet a triangle, and by how much the distance bends along them in multiples of the tolerance: chords take
-  // about a square root of it.
+  // Levels that meet a triangle, and by how much the distance bends along them in multiples of the tolerance: chords
+  // take about a square root of it.
   void expect(double number_of_levels, double bend) { crossings_.push_back({number_of_levels, bend}); }
 
   // \exception Invalid_argument_error if too many points are expected
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  // With a multiple of the tolerance.
+  // The expected number of points with a multiple of the tolerance.
   double expected(double factor) const
   {
     double result = 0;

@@ -165,7 +165,7 @@ inline bool trim_end(Window& u, const Window& v)
   return u.b1 > u.b0;
 }
 
-// Likewise the beginning.
+// Likewise cuts off the beginning of u.
 // \param v comes from farther to the left
 inline bool trim_beginning(Window& u, const Window& v)
 {

@@ -329,8 +329,8 @@ private:
     return r[0] != r[1] && r[1] != r[2] && r[2] != r[0];
   }
 
-  // The point of a triangle at the same distance from the sources nearest to its corners, if it has one. Distances are nearly
-  // linear there.
+  // The point of a triangle at the same distance from the sources nearest to its corners, if it has one. Distances are
+  // nearly linear there.
   std::optional<Coordinates> common_point(const Triangle& t, const Seen& seen) const
   {
     const std::array<std::uint32_t, 3> ranks = ranks_of(t);

@@ -35,8 +35,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The log has two readers. One is the correspondence. The other consists of the straight faces and what goes with them:
 // developed faces are right only as long as that reader follows.
 //
-// Const queries read all this, and change it in two ways only, both of them safe: the pool of surfaces is made for that;
-// and a reader catches up with the log under the mutex, before the log tells the other threads so.
+// Const queries read all this, and change it in two ways only, both of them safe: the pool of surfaces is made for
+// that; and a reader catches up with the log under the mutex, before the log tells the other threads so.
 struct Exact_engine::Memory
 {
   // How flips are repeated.
@@ -77,9 +77,9 @@ struct Exact_engine::Memory
     spare_layouts = (std::min)(spare_layouts + layouts_for_question, number_of_edges);
   }
 
-  // Whether and how repeating all flips takes less time than laying out most faces: if there are many flips, unless most
-  // faces are known to be straight, or if the edges cross much. Queries of several threads may ask this and must agree:
-  // so it is decided once for each change.
+  // Whether and how repeating all flips takes less time than laying out most faces: if there are many flips, unless
+  // most faces are known to be straight, or if the edges cross much. Queries of several threads may ask this and must
+  // agree: so it is decided once for each change.
   // \param prepare is called to make the integers follow
   template <class Prepare>
   Answer may_repeat_flips(const Delta_complex& complex, const Input_metric& metric, const Prepare& prepare)

@@ -39,7 +39,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Checks the angles at an inserted vertex and its neighbours. Errors are full turns.
+// Checks the angles at an inserted vertex and its neighbors. Errors are full turns.
 // \param input_angle, angles at the source of an input halfedge; opposite to the halfedges
 template <class Input_angle>
 void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_angle& input_angle,
@@ -210,8 +210,8 @@ void Saved_triangulation::restore(Exact_engine& engine, const Block_runner& run,
 
 // The edges of the triangulation are lines through the input triangles that the integers name: then the faces between
 // them are the triangles that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are
-// no part of that isotopy: faces at them must not be inverted, and the angles at them and at their neighbours must sum to
-// those of the surface, as faces could be wound around a vertex twice.
+// no part of that isotopy: faces at them must not be inverted, and the angles at them and at their neighbors must sum
+// to those of the surface, as faces could be wound around a vertex twice.
 void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner& run,
                                  const std::function<bool(Face_index)>& is_known)
 {

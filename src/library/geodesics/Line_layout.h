@@ -297,7 +297,7 @@ private:
     return divisible(left_) + base_to_apex_;
   }
   Vector corner(int i) { return i == 0 ? left_ : i == 1 ? left_ + base_ : apex(); }
-  // Up to a positive factor.
+  // The vector along a side, up to a positive factor.
   Vector along_side(int i)
   {
     if (i == 0)

@@ -43,8 +43,8 @@ class Cut_faces
   };
 
 public:
-  // \exception Invalid_point_error if a point does not lie on the surface, two consecutive ones do not lie in the face of
-  //   the first, or segments cross elsewhere than at a point that one of them has
+  // \exception Invalid_point_error if a point does not lie on the surface, two consecutive ones do not lie in the face
+  //   of the first, or segments cross elsewhere than at a point that one of them has
   // \exception Invalid_surface_error if two edges have the same ends
   Cut_faces(const Delta_complex& complex, const std::vector<std::vector<Surface_point>>& paths) : complex_(complex)
   {

@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The sides of triangles, those of one edge together, and the triangles that edges with two faces join. Side 3f + i runs
-// from corner i of face f to corner i + 1.
+// The sides of triangles, those of one edge together, and the triangles that edges with two faces join. Side 3f + i
+// runs from corner i of face f to corner i + 1.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H

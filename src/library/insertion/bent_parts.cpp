@@ -112,8 +112,8 @@ private:
       previous.cut.insert(previous.cut.end(), spoke.cut.begin(), spoke.cut.end());
       spokes.erase(spokes.begin() + std::ptrdiff_t(best));
     }
-    // A line across the corner at this distance from v, which is as long as that and twice the sine, cuts off a quarter of
-    // it times the chord.
+    // A line across the corner at this distance from v, which is as long as that and twice the sine, cuts off a quarter
+    // of it times the chord.
     for (const Spoke& spoke : spokes) {
       const double sine = std::sin((std::min)(spoke.angle, CGAL_PI) / 2);
       for (Halfedge_index cut : spoke.cut) {

@@ -111,8 +111,8 @@ inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, 
   return is_certain(sign) ? get_certain(sign) : CGAL::sign(evaluate(Exact_ring()));
 }
 
-// The same with twice the digits, and the vectors split once: less than 2^-98 times that product. Nearly coplanar points
-// are most often bent by the rounding of their coordinates.
+// The same with twice the digits, and the vectors split once: less than 2^-98 times that product. Nearly coplanar
+// points are most often bent by the rounding of their coordinates.
 inline bool is_barely_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];

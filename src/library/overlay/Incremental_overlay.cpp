@@ -112,7 +112,7 @@ void Incremental_overlay::cross_chords(Halfedge_index ij, Halfedge before_l, Hal
     const Halfedge part = add_intrinsic_part(ij, before, chord);
     if (before == before_l)
       first_intrinsic_parts_[ij.idx()] = part;
-    before = opposite(next(part)); // the rest of the chord, towards the crossing
+    before = opposite(next(part)); // the rest of the chord, toward the crossing
   }
   const Halfedge last = add_intrinsic_part(ij, before, before_k);
   if (before == before_l)

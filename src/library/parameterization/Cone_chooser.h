@@ -152,8 +152,8 @@ private:
       u[v] -= value;
   }
 
-  // Makes the function zero at all cones before the last one, and 1 there, and u zero at all. The first cone of a closed
-  // surface takes all that cannot be removed.
+  // Makes the function zero at all cones before the last one, and 1 there, and u zero at all. The first cone of a
+  // closed surface takes all that cannot be removed.
   void add(const Part& part, std::vector<double>& function)
   {
     const std::vector<std::size_t>& cones = part.cones;

@@ -98,8 +98,8 @@ private:
 
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
 
-  // For each vertex, whether triangles that keep their orientation go around it once: the sum of their angles is a multiple
-  // of 2 pi, so it need not be known exactly. True on the border.
+  // For each vertex, whether triangles that keep their orientation go around it once: the sum of their angles is a
+  // multiple of 2 pi, so it need not be known exactly. True on the border.
   std::vector<bool> go_around_once() const
   {
     std::vector<double> sums(complex_.number_of_vertices(), 0.);
@@ -118,9 +118,9 @@ private:
     return result;
   }
 
-  // Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of faces does
-  // not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree crosses those
-  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are not cut.
+  // Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of
+  // faces does not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree
+  // crosses those first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are not cut.
   void cut(const std::vector<bool>& is_end)
   {
     std::vector<bool> is_in_tree(complex_.number_of_edges(), false);
@@ -218,8 +218,8 @@ private:
     }
   }
 
-  // From the largest face of each component, over the longest edges first, so that small triangles get their places from
-  // their neighbors. The components come from left to right, the smallest first, lest it be rounded to nothing.
+  // Goes from the largest face of each component over the longest edges first, so that small triangles get their places
+  // from their neighbors. The components come from left to right, the smallest first, lest it be rounded to nothing.
   void lay_out()
   {
     std::vector<std::pair<double, Face_index>> faces;
@@ -249,8 +249,8 @@ private:
     }
   }
 
-  // Both images of a slit into a flat part agree to 10^-12 of the component's size: there is no need of a cut. At a cone of
-  // 4 pi there is.
+  // Both images of a slit into a flat part agree to 10^-12 of the component's size: there is no need of a cut. At a
+  // cone of 4 pi there is.
   void close_slits(const std::vector<std::vector<Halfedge_index>>& components)
   {
     std::vector<Halfedge_index> slits;

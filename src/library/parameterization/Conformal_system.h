@@ -97,7 +97,8 @@ public:
       factorize_(factorize), sums_(number_of_vertices)
   {}
 
-  // Flips to the ideal Delaunay triangulation with scaled lengths; finds sums of angles and the weights of the linear model.
+  // Flips to the ideal Delaunay triangulation with scaled lengths; finds sums of angles and the weights of the linear
+  // model.
   // \exception Numerical_error if a length leaves the range of double
   void evaluate(const std::vector<double>& u)
   {

@@ -33,7 +33,8 @@ double projective(double t, double weight_from, double weight_to)
   const double sum = between(t, weight_from, weight_to);
   return sum > 0 ? t * weight_to / sum : t;
 }
-// The part of the boundary of a face of B after `part`; `visit` is called for the chords that end between them, clockwise.
+// The part of the boundary of a face of B after `part`; `visit` is called for the chords that end between them,
+// clockwise.
 template <class Visit>
 Overlay::Halfedge next_part(const Overlay& overlay, Overlay::Halfedge part, Segment_label chords, const Visit& visit)
 {
@@ -91,8 +92,8 @@ void Triple_overlay::for_each_piece(const Visit& visit, const Progress_function&
   }
 }
 
-// λ-lengths from the apex before the first gate to source and target of each gate, an edge of B that is crossed from right
-// to left, and to the apex after the last one: each from the one before by Ptolemy's formula, so nothing cancels.
+// λ-lengths from the apex before the first gate to source and target of each gate, an edge of B that is crossed from
+// right to left, and to the apex after the last one: each from the one before by Ptolemy's formula, so nothing cancels.
 std::vector<std::array<double, 2>> Triple_overlay::lengths_to(const std::vector<Halfedge_index>& gates) const
 {
   std::array<double, 2> now{length(intrinsic_.prev(gates[0])), length(intrinsic_.next(gates[0]))};

@@ -58,7 +58,8 @@ public:
   Triple_overlay(const Common_subdivision& subdivision, const Delta_complex& ideal, Overlay ideal_overlay,
                  const std::vector<double>& lengths, const std::vector<double>& u, const Progress_function& progress);
 
-  // Calls `visit` with all pieces, those in one face of B one after the other. Crossings of A and C get other nodes each time.
+  // Calls `visit` with all pieces, those in one face of B one after the other. Crossings of A and C get other nodes
+  // each time.
   void for_each_piece(const Visit& visit, const Progress_function& progress);
 
   // Where nodes lie on the input, except for vertices of the surface, which come first.
@@ -69,8 +70,8 @@ public:
 private:
   static constexpr std::uint32_t none = std::uint32_t(-1);
 
-  // A crossing of an edge of B with one of C: its position on the former, in the direction of 2e, and on the latter, in the
-  // new metric.
+  // A crossing of an edge of B with one of C: its position on the former, in the direction of 2e, and on the latter, in
+  // the new metric.
   struct Ideal_crossing
   {
     double position, t;

@@ -223,7 +223,7 @@ private:
   Strip<Space_frame> in_space_;
   Strip<Plane_frame> in_plane_;
   std::vector<Position_on_edges> positions_;
-  // They remember the triangles that neighbouring edges cross, too.
+  // They remember the triangles that neighboring edges cross, too.
   static constexpr std::array<long, 3> precisions = {128, 512, 2048};
   std::array<std::optional<Mpfr_metric>, 3> precise_metrics_;
 };

@@ -94,10 +94,10 @@ bool flatten_along(const Fan& fan, const Fan_array<double>& w, double largest, F
   return false;
 }
 
-// The directions that strain the faces least. With w for the logarithms of the spokes, the squared eigenvalues of M, summed
-// over the faces with a weight for each, are a quadratic form A, and g·w is the change of the angle at the vertex. So
-// A w = g; a step towards that from equal directions comes close enough. A face has a larger weight if less of the
-// change that it may have is left.
+// The directions that strain the faces least. With w for the logarithms of the spokes, the squared eigenvalues of M,
+// summed over the faces with a weight for each, are a quadratic form A, and g·w is the change of the angle at the
+// vertex. So A w = g; a step toward that from equal directions comes close enough. A face has a larger weight if less
+// of the change that it may have is left.
 Fan_array<double> gentle_directions(const Fan& fan, double largest)
 {
   const std::size_t n = fan.size();

@@ -26,8 +26,8 @@ struct Squared_change
   double down = 1, up = 1;
 };
 
-// The faces around a vertex, counterclockwise: face j has the spokes to the points j and j + 1 of the link. A closed fan
-// surrounds the vertex. An open one lies on one side of a line through it, along its first and its last spoke.
+// The faces around a vertex, counterclockwise: face j has the spokes to the points j and j + 1 of the link. A closed
+// fan surrounds the vertex. An open one lies on one side of a line through it, along its first and its last spoke.
 struct Fan
 {
   bool is_closed = true;

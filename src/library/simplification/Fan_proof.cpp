@@ -55,7 +55,8 @@ Squared_change product(const Squared_change& a, const Squared_change& b)
   return product(a, Interval(b.down), Interval(b.up));
 }
 
-// From the rounded triangle to the other one, the eigenvalues of M are the roots of x² − 2hx + d, with |d| <= total²/area.
+// From the rounded triangle to the other one, the eigenvalues of M are the roots of x² − 2hx + d, with |d| <=
+// total²/area.
 Squared_change change_by_rounding(const std::array<double, 3>& sides)
 {
   const Protector protector;

@@ -17,8 +17,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // All functions round upward during the call.
 
-// The change by replacing a triangle whose sides are within one unit in the last place of these doubles by one with these
-// sides, or by the reverse. Infinite if nothing is known.
+// The change by replacing a triangle whose sides are within one unit in the last place of these doubles by one with
+// these sides, or by the reverse. Infinite if nothing is known.
 Squared_change change_by_rounding(const std::array<double, 3>& sides);
 
 // One change after another.

@@ -110,8 +110,8 @@ private:
 
   // -------------------------------------------------------------------------------- at first
 
-  // A power of two makes the longest edge about 1. From now on a face is the triangle with these doubles as lengths, and
-  // knows how that differs from what was given. Thin faces, which doubles cannot describe, stay what they are.
+  // A power of two makes the longest edge about 1. From now on a face is the triangle with these doubles as lengths,
+  // and knows how that differs from what was given. Thin faces, which doubles cannot describe, stay what they are.
   void normalize()
   {
     const double longest = lengths_.empty() ? 1 : *std::max_element(lengths_.begin(), lengths_.end());

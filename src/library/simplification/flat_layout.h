@@ -35,9 +35,9 @@ Planar_vector<FT> third_corner(const Planar_vector<FT>& p, const Planar_vector<F
   return p + (q - p) * Planar_vector<FT>(along, four_areas / twice);
 }
 
-// The squared factors, the smaller one first, by which the linear map of a triangle changes lengths if one side keeps its
-// own: the eigenvalues of 1 + M, where M is the change of the metric relative to it. Here, M has a closed form without
-// cancellation.
+// The squared factors, the smaller one first, by which the linear map of a triangle changes lengths if one side keeps
+// its own: the eigenvalues of 1 + M, where M is the change of the metric relative to it. Here, M has a closed form
+// without cancellation.
 // \param s, t, c the squared lengths of the three sides \param q the square of four times the area
 // \param d, e the changes of s and t
 template <class FT>

@@ -79,9 +79,9 @@ private:
   const Correspondence& correspondence_;
 };
 
-// The bits of squared lengths with which a face differs from the exact one by less than 2^-60 of all lengths. If η is the
-// relative error, s the longest squared side and a four times the area, eigenvalues of M are below 18 η s² / a², and s / a
-// is at most 1 over the sine of the smallest angle.
+// The bits of squared lengths with which a face differs from the exact one by less than 2^-60 of all lengths. If η is
+// the relative error, s the longest squared side and a four times the area, eigenvalues of M are below 18 η s² / a²,
+// and s / a is at most 1 over the sine of the smallest angle.
 long bits_for(const Engine_numbers& numbers, const Delta_complex& complex, Face_index f)
 {
   const Halfedge_index h = complex.halfedge(f);

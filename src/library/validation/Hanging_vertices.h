@@ -65,8 +65,8 @@ public:
       only_sheet_ = only_sheet_ == none || only_sheet_ == sheet_of_[x] ? sheet_of_[x] : several;
   }
 
-  // Calls visit(v, w, sides, vertex, distance, position) for the vertices that hang within each edge, within a tolerance
-  // as in Vertices_on_edges.
+  // Calls visit(v, w, sides, vertex, distance, position) for the vertices that hang within each edge, within a
+  // tolerance as in Vertices_on_edges.
   // \param go_on is called for each edge
   template <class Visit, class Function>
   void find(double length, double part, const Visit& visit, const Function& go_on)

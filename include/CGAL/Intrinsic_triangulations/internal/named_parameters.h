@@ -142,7 +142,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_edge_length, MAXIMUM_EDGE_LENGTH
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_size, MINIMUM_SIZE)
 /// \brief the angle between the directions of two faces beyond which their edge is not flipped, in degrees.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(sharp_edge_angle, SHARP_EDGE_ANGLE)
-/// \brief how far the straight triangles between the corners of faces may be from the surface, in the unit of the input.
+/// \brief how far the straight triangles between the corners of faces may be from the surface, in the unit of the
+/// input.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_deviation, MAXIMUM_DEVIATION)
 /// \brief which edges must neither be flipped nor split.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(whole_edges_map, WHOLE_EDGES_MAP)

@@ -110,7 +110,7 @@ private:
     return sign_of_tie(CGAL::sign(k.p), CGAL::sign(l.p));
   }
 
-  // From a corner to the start and to the end of the edge ij or ji.
+  // The vectors from a corner to the start and to the end of the edge ij or ji.
   template <class FT>
   struct Sides
   {

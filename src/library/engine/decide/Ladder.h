@@ -22,12 +22,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Each stage decides what it can, and passes on the rest. The filter comes before the first one here: the traits
-// compare the stored numbers with their error bounds (Filtered_edge_length_traits).
-//
-// \brief The sign of the sum of the cotangents at two corners. `Corners` determines which knowledge may be used and
-// whether results are stored: flips store them, queries only read, and verification uses the input and the integers alone. A
-// stage for which `Corners` has no means gives no answer.
+// The sign of the sum of the cotangents at two corners: each stage decides what it can, and passes on the rest. The
+// filter comes before the first one here: the traits compare the stored numbers with their error bounds
+// (Filtered_edge_length_traits).
+// \tparam Corners determines which knowledge may be used and whether results are stored: flips store them, queries only
+//   read, and verification uses the input and the integers alone. A stage for which it has no means gives no answer
 // \return nothing if `Corners` does not continue
 template <class Corners>
 std::optional<Exact_decision> sign_by_stages(Corners&& corners)

@@ -30,11 +30,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Two neighbouring crossings of an edge lie on two sides of one input triangle, which
+// Two neighboring crossings of an edge lie on two sides of one input triangle, which
 // share a corner on one side of the edge. On that side the two input segments run next to
 // each other until they end in that corner; on the other side they part.
 //
-// All neighbouring pairs are followed at once, as blocks that are split only where the segments part, and to both sides
+// All neighboring pairs are followed at once, as blocks that are split only where the segments part, and to both sides
 // in turn, because the side on which a pair ends sooner decides it. If two segments return to the edge, they are
 // another pair of its crossings there: the two pairs are linked, so that their continuation is followed once.
 //
@@ -46,7 +46,7 @@ public:
   // Far more than meshes need: each pair takes 33 bytes.
   static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
 
-  // The pairs of neighbouring crossings of h, in order from its source.
+  // The pairs of neighboring crossings of h, in order from its source.
   Crossing_sequence(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
                     const Interruption& interruption)
     : complex_(complex), correspondence_(correspondence), coordinates_(correspondence.coordinates()), start_(h),
@@ -88,7 +88,7 @@ private:
     bool is_reversed = false;
   };
 
-  // Pairs of neighbouring segments that cross `halfedge` into its face: those at positions lower and lower + 1 and so
+  // Pairs of neighboring segments that cross `halfedge` into its face: those at positions lower and lower + 1 and so
   // on from its source are the pairs first, ..., first + count - 1, seen from where the block comes from.
   struct Block
   {

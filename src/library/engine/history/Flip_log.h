@@ -23,7 +23,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // One log of flips with three cursors: the integers (Correspondence) and the knowledge of faces (Straight_faces,
-// Developed_faces) are brought up to date independently of each other; numbers (Repeated_flips) begin at the first flip.
+// Developed_faces) are brought up to date independently of each other; numbers (Repeated_flips) begin at the first
+// flip.
 //
 // A reader either follows each flip at once, or has a cursor: the first flip that it has not read. A query makes the
 // reader that it needs read the rest and follow. `begin()` makes both stop, so that a run of flips without queries only

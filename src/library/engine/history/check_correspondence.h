@@ -94,7 +94,7 @@ private:
   }
 
   // Checks that no two vertices are at one place inside an input face; those on edges are compared with their
-  // neighbours there.
+  // neighbors there.
   void check_places() const
   {
     struct Place

@@ -140,7 +140,7 @@ public:
 
   BOOST_FORCEINLINE bool is_flat(Halfedge_index h) { return properties_.is_flat(h); }
 
-  // Neighbouring edges cross the same triangles.
+  // Neighboring edges cross the same triangles.
   template <class Compute>
   const Corner_ratios<Double_double_disk>& remembered(Halfedge_index h, const Compute& compute)
   {
@@ -334,8 +334,9 @@ private:
 // The metric in a ring that is given by the images of the rationals, of their square roots, and of coordinates, which
 // may stay in a smaller ring until they meet roots. Remembers recent results, and counts the requested quantities.
 //
-// Where the image rounds, scalar and cross products of sides give each number with an error relative to the sides that it
-// belongs to. Squared lengths of very different sides would cancel, and all digits of the coordinates would be needed.
+// Where the image rounds, scalar and cross products of sides give each number with an error relative to the sides that
+// it belongs to. Squared lengths of very different sides would cancel, and all digits of the coordinates would be
+// needed.
 template <class Image>
 class Rational_metric
 {

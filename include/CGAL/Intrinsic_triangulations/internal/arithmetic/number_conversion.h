@@ -77,7 +77,7 @@ To convert_in_parts(const Number& x)
   return sum;
 }
 
-// Exact if To can hold the value; otherwise rounded to one of the two neighbouring numbers, or an enclosure for an
+// Exact if To can hold the value; otherwise rounded to one of the two neighboring numbers, or an enclosure for an
 // interval.
 template <class To, class From>
 To convert_number(const From& x)

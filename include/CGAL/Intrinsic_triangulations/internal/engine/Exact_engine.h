@@ -190,9 +190,9 @@ public:
     ALL,
     UNFOLDING // layouts and the stages after them, without knowledge from earlier flips, such as straight faces
   };
-  // The sign of `cot k + cot l` for the angles opposite to an edge, and the stage that decided it. Where both faces have
-  // zero area, the sign is `NEGATIVE` if both angles are π, and `ZERO` otherwise. There is always an answer to `ALL` and
-  // to `UNFOLDING`. \pre `e` lies between two different faces
+  // The sign of `cot k + cot l` for the angles opposite to an edge, and the stage that decided it. Where both faces
+  // have zero area, the sign is `NEGATIVE` if both angles are π, and `ZERO` otherwise. There is always an answer to
+  // `ALL` and to `UNFOLDING`. \pre `e` lies between two different faces
   std::optional<Exact_decision> test(Edge_index e, Means means = Means::ALL) const;
   // The sign on the way to a Delaunay triangulation: counts how the test was decided, and keeps data that makes tests
   // after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in space.

@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Flips on several threads, each of which has a part of the triangulation to itself; and tests while nothing is flipped.
+// Flips on several threads, each of which has a part of the triangulation to itself; and tests while nothing is
+// flipped.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H

@@ -49,7 +49,7 @@ public:
     return sum_below_pi();
   }
 
-  // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an
+  // Flips edges inside of the wedge until its outer side is straight or turns toward the vertex everywhere. With an
   // angle below π, that side is then shorter than the two halfedges.
   // \param is_below_pi whether the angle is known to be below π
   // \param may_flip returns whether an edge may be flipped

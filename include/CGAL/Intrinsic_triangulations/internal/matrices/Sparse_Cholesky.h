@@ -32,7 +32,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // program must then link with cholmod.
 //
 // \tparam Scalar `double`, or `std::complex<double>` for Hermitian matrices
-// \tparam Ordering `Eigen::NaturalOrdering<int>` if rows are in an order that makes the factor sparse; CHOLMOD has its own
+// \tparam Ordering `Eigen::NaturalOrdering<int>` if rows are in an order that makes the factor sparse; CHOLMOD has its
+//   own
 template <class Scalar = double, class Ordering = Eigen::AMDOrdering<int>>
 class Sparse_Cholesky
 {

@@ -27,8 +27,8 @@ struct Ptolemy_hinge
   const Ptolemy_length &ij, &jk, &ki, &il, &lj;
 };
 
-// The other diagonal, by Ptolemy's formula. If rounding has added up too much, its double is computed anew from the exact
-// value.
+// The other diagonal, by Ptolemy's formula. If rounding has added up too much, its double is computed anew from the
+// exact value.
 Ptolemy_length flipped_length(const Ptolemy_hinge& hinge);
 
 // In double-doubles, and in rational numbers if these do not decide.

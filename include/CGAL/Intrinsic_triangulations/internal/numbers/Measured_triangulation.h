@@ -38,8 +38,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // What an `Intrinsic_triangulation` consists of: the engine, which has the connectivity, and a number of the traits for
-// each edge and face. All changes of the triangulation are here; each leaves everything unchanged if it throws. After the
-// constructor, one of three functions computes the numbers: from points, lengths, or the exact metric.
+// each edge and face. All changes of the triangulation are here; each leaves everything unchanged if it throws. After
+// the constructor, one of three functions computes the numbers: from points, lengths, or the exact metric.
 template <class Traits_>
 class Measured_triangulation
 {

@@ -75,9 +75,9 @@ struct Input_layer
   bool is_inside(Overlay::Vertex v) const { return overlay.is_inserted(v) && positions.location(v).dimension() == 2; }
 
   // On which side of the chord after `before` a point of the face lies, exactly. A chord is a segment of the overlay
-  // that crosses a face of the layer and is part of an edge of the other one. Both are laid out over the input triangles
-  // that the intrinsic edge crosses. In a face of zero area there may be no side: if the edge runs along the face, all
-  // its points lie on one line.
+  // that crosses a face of the layer and is part of an edge of the other one. Both are laid out over the input
+  // triangles that the intrinsic edge crosses. In a face of zero area there may be no side: if the edge runs along the
+  // face, all its points lie on one line.
   std::optional<Sign> side_of_chord(Overlay::Halfedge before, const Surface_point& point) const;
 };
 

@@ -38,7 +38,7 @@ class Correspondence
 {
 public:
   Correspondence() = default;
-  // With known integers.
+  // Constructs a correspondence with known integers.
   // \param coordinates the integers of the current triangulation
   // \param locations the locations of the vertices after those of the input
   Correspondence(Delta_complex input, Normal_coordinates coordinates, std::vector<Surface_point> locations)
@@ -50,8 +50,8 @@ public:
   bool knows_input() const { return knows_input_; }
 
   // Reads the rest of the log: computes the integers, and at first recovers the input. O(size + number of flips) if
-  // there are flips, and O(1) otherwise. The integers and the input do not depend on each other, so that two threads can
-  // compute them.
+  // there are flips, and O(1) otherwise. The integers and the input do not depend on each other, so that two threads
+  // can compute them.
   // \param complex the current connectivity
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then
   void catch_up(const Delta_complex& complex, const Flip_log& log,

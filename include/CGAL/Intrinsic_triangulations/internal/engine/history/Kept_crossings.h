@@ -57,7 +57,7 @@ class Kept_crossings
   using Array = std::unique_ptr<const Halfedge_index[]>;
 
 public:
-  // In halfedges of 4 bytes, besides a pointer for each edge.
+  // The limit of the cache, in halfedges of 4 bytes, besides a pointer for each edge.
   static constexpr std::size_t largest_total = std::size_t(1) << 25;
 
   Kept_crossings() = default;
