@@ -90,6 +90,9 @@ def test_distances_from_curves():
                 [[[0, 1, 0, 0], [len(F) - 1, 0, 0, 1]]]):
         with pytest.raises(ValueError):
             it.geodesic_distances_from(V, F, bad)
+    for bad in (len(F), -1):
+        with pytest.raises(it.InvalidPointError, match=rf"sources\[1\]: there is no triangle {bad}: there are {len(F)}, counted"):
+            it.geodesic_distances_from(V, F, [0, [[0, 1, 0, 0], [bad, 1, 0, 0]]])
     for bad in ([0], [0, 0, 0], [[0, 1, 2]]):
         with pytest.raises(ValueError, match=r"sources\[1\] has to be an integer \(a vertex\).*locate.*has the shape \("):
             it.geodesic_distances_from(V, F, [0, bad])

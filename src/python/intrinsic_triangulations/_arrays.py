@@ -255,11 +255,13 @@ def places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: int
     require_sources(len(rows), name)
     if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
         raise ValueError(f"{name} has to begin with the number of a triangle, and this is not whole")
+    for number in rows[:, 0]:
+        if not 0 <= number < len(faces):
+            raise InvalidPointError(f"{name}: there is no triangle {number:.0f}: there are {len(faces)}, counted from 0")
     return rows
 
 
-def numbers_and_coordinates(places: Sequence[numpy.ndarray], faces: numpy.ndarray) -> Tuple[numpy.ndarray, numpy.ndarray]:
+def numbers_and_coordinates(places: Sequence[numpy.ndarray]) -> Tuple[numpy.ndarray, numpy.ndarray]:
     """Return the triangles and the coordinates of such rows."""
     rows = numpy.concatenate(places)
-    numbers = indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
-    return numbers, numpy.ascontiguousarray(rows[:, 1:])
+    return rows[:, 0].astype(numpy.uint32), numpy.ascontiguousarray(rows[:, 1:])

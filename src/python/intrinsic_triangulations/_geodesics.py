@@ -109,7 +109,7 @@ def shortest_path(V: ArrayLike, F: ArrayLike, source: Any, target: Any, via: Seq
         raise ValueError("source, target and via have to be vertices, or points of four numbers: a triangle and "
                          "barycentric coordinates")
     return ShortestPath(*_core.shortest_path(points, faces, numpy.zeros(0, numpy.uint32),
-                                             *_arrays.numbers_and_coordinates(places, faces)))
+                                             *_arrays.numbers_and_coordinates(places)))
 
 
 def _path(parts: tuple) -> GeodesicPath:

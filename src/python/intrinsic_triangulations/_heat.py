@@ -321,7 +321,7 @@ def _placed(points: numpy.ndarray, faces: numpy.ndarray, sources: Sequence[Any],
     starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
     places += [_arrays.places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
     first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
-    return (*_arrays.numbers_and_coordinates(places, faces), first, starts)
+    return (*_arrays.numbers_and_coordinates(places), first, starts)
 
 
 def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:
