@@ -233,15 +233,15 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
   return result;
 }
 
-IT::Straight_mesh straight_mesh(const Triangulation_result& result)
+IT::Straight_mesh straight_mesh(const Triangulation_result& result, bool is_trial = false)
 {
   const Refinement_options& refinement = *result.options.refinement;
   const double maximum = refinement.criteria.maximum_deviation;
   Progress progress(result.surface.path, "straight triangles");
-  return IT::straight_mesh(*result.outcome.subdivision, result.surface.points, refinement.is_constrained,
-                           Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0,
-                           ends(refinement.is_whole, result.surface.connectivity),
-                           CGAL::parameters::visitor(std::ref(progress)));
+  return IT::internal::straight_mesh(
+    *result.outcome.subdivision, result.surface.points, refinement.is_constrained, Triangulation_result::thin_angle,
+    std::isfinite(maximum) ? maximum : 0, ends(refinement.is_whole, result.surface.connectivity),
+    IT::internal::progress_function_of(CGAL::parameters::visitor(std::ref(progress))), !is_trial);
 }
 
 // A larger deviation for which refinement leads to good triangles, found by trying, with two digits; or 0.
@@ -257,7 +257,7 @@ double sufficient_deviation(const Surface& surface, Run_options run_options, con
     const Triangulation_result result = refine_surface(surface, run_options, options);
     if (!result.outcome.subdivision || is_interrupted())
       return 0;
-    if (const IT::Straight_mesh mesh = straight_mesh(result); mesh.is_good() && mesh.deviation <= deviation)
+    if (const IT::Straight_mesh mesh = straight_mesh(result, true); mesh.is_good() && mesh.deviation <= deviation)
       return deviation;
   }
   return 0;

@@ -137,6 +137,7 @@ Json straight_statistics(const IT::Straight_mesh& mesh)
           {"rods", mesh.number_of_rods},
           {"new_components", mesh.number_of_new_components},
           {"crossing_pairs", mesh.crossing_triangles.size()},
+          {"new_crossing_pairs", mesh.number_of_new_crossings},
           {"deviation", mesh.deviation},
           {"deviation_place", mesh.deviation_place},
           {"minimum_angle_degrees", mesh.triangles.empty() ? Json() : Json(mesh.minimum_angle)},

@@ -160,8 +160,12 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
     text += ", " + counted(mesh.number_of_new_components, "component", "components") +
             " more than the surface has, as thin parts between them vanished";
   if (!mesh.crossing_triangles.empty())
-    text += ", " + counted(mesh.crossing_triangles.size(), "pair", "pairs") + " of triangles cross, the first at " +
-            in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
+    text += ", " + counted(mesh.crossing_triangles.size(), "pair", "pairs") + " of triangles cross, " +
+            with_separators(mesh.crossing_triangles.size() - mesh.number_of_new_crossings) +
+            " of them where the surface does, which programs that fill volumes refuse (" +
+            (mesh.number_of_new_crossings < mesh.crossing_triangles.size() ? "unite its parts before"
+                                                                           : "try a smaller --maximum-deviation") +
+            "), the first at " + in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";

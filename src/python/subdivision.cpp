@@ -200,15 +200,16 @@ py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::
     crossing.push_back({s, t});
   py::array triangles = to_numbers(mesh.triangles);
   const std::string defects = message(mesh); // which needs the points
-  return py::make_tuple(
-    to_array(std::move(mesh.points)), to_array(numbers_of(mesh.points_of_vertices)),
-    to_array(numbers_of(mesh.merged_vertices)), triangles, to_array(numbers_of(mesh.faces)),
-    to_array(numbers_of(mesh.input_faces)), to_array(numbers_of(mesh.regions)), to_array(std::move(edges)),
-    to_array(numbers_of(mesh.lines)), mesh.deviation,
-    to_array(std::vector<double>(mesh.deviation_place.begin(), mesh.deviation_place.end())), mesh.minimum_angle,
-    to_array(numbers_of(mesh.thin_triangles)), mesh.number_of_sharp_corners, mesh.sufficient_deviation,
-    to_array(numbers_of(mesh.loops)), to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects,
-    mesh.number_of_removed_pieces, mesh.number_of_rods, mesh.number_of_new_components, to_array(std::move(crossing)));
+  return py::make_tuple(to_array(std::move(mesh.points)), to_array(numbers_of(mesh.points_of_vertices)),
+                        to_array(numbers_of(mesh.merged_vertices)), triangles, to_array(numbers_of(mesh.faces)),
+                        to_array(numbers_of(mesh.input_faces)), to_array(numbers_of(mesh.regions)),
+                        to_array(std::move(edges)), to_array(numbers_of(mesh.lines)), mesh.deviation,
+                        to_array(std::vector<double>(mesh.deviation_place.begin(), mesh.deviation_place.end())),
+                        mesh.minimum_angle, to_array(numbers_of(mesh.thin_triangles)), mesh.number_of_sharp_corners,
+                        mesh.sufficient_deviation, to_array(numbers_of(mesh.loops)),
+                        to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects,
+                        mesh.number_of_removed_pieces, mesh.number_of_rods, mesh.number_of_new_components,
+                        to_array(std::move(crossing)), mesh.number_of_new_crossings);
 }
 
 // ------------------------------------------------------------------- points

@@ -546,6 +546,76 @@ TEST(Straight_mesh, makes_one_rod_of_a_wire_that_came_apart)
   EXPECT_LE(farthest_sample(mesh.points, mesh.triangles, wire.points, wire.triangles), mesh.deviation);
 }
 
+TEST(Straight_mesh, tells_crossings_of_the_surface_from_others)
+{
+  Model cubes = box(1, 1);
+  const Model other = box(0.7, 0.7);
+  for (const auto& p : other.points)
+    cubes.points.push_back({p[0] + 0.5, p[1] + 0.4, p[2] + 0.3});
+  for (const auto& t : other.triangles)
+    cubes.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+  const IT::Straight_mesh mesh =
+    IT::straight_mesh(IT::Common_subdivision(cubes.triangulation()), cubes.points, {}, 10, 0.01);
+  EXPECT_GT(mesh.crossing_triangles.size(), 4u);
+  EXPECT_EQ(mesh.number_of_new_crossings, 0u);
+}
+
+// A small triangle stands in a plane below a low pyramid. It would cross the plane, but not the pyramid.
+TEST(Straight_mesh, merges_no_vertices_where_triangles_then_cross)
+{
+  for (std::uint32_t first : {0u, 1u, 2u}) {
+    Model plate = graph(4, [](double, double) { return 0.; });
+    const auto extra = std::uint32_t(plate.points.size());
+    Triangles::value_type& cut = plate.triangles[12];
+    const std::uint32_t a = cut[first], b = cut[(first + 1) % 3], c = cut[(first + 2) % 3];
+    const auto p = plate.points[a], q = plate.points[b], r = plate.points[c];
+    const double x = 0.97 * p[0] + 0.015 * (q[0] + r[0]), y = 0.97 * p[1] + 0.015 * (q[1] + r[1]);
+    plate.points.insert(plate.points.end(), {{x, y, 0.002}, {x - 4e-4, y, -5e-4}, {x + 4e-4, y, -5e-4}, {x, y, 5e-4}});
+    cut = {a, b, extra};
+    plate.triangles.insert(plate.triangles.end(), {{b, c, extra}, {c, a, extra}, {extra + 1, extra + 2, extra + 3}});
+    const IT::Straight_mesh mesh =
+      IT::straight_mesh(IT::Common_subdivision(plate.triangulation()), plate.points, {}, 10, 0.02);
+    EXPECT_EQ(mesh.merged_vertices.size(), 1u);
+    EXPECT_TRUE(mesh.is_good()) << message(mesh) << mesh.minimum_angle;
+    EXPECT_TRUE(mesh.crossing_triangles.empty());
+  }
+}
+
+// The strip between two rectangles vanishes with its region.
+TEST(Straight_mesh, numbers_regions_and_lines_that_are_left)
+{
+  Model sheet;
+  for (double x : {0., 1., 1.00001, 2.})
+    for (int j = 0; j < 3; ++j)
+      sheet.points.push_back({x, j / 2., 0});
+  for (std::uint32_t v : {0u, 1u, 3u, 4u, 6u, 7u}) {
+    sheet.triangles.push_back({v, v + 3, v + 4});
+    sheet.triangles.push_back({v, v + 4, v + 1});
+  }
+  const Triangulation t = sheet.triangulation();
+  std::vector<bool> is_marked;
+  for (IT::Edge_index e : t.input().edges()) { // along the strip
+    const IT::Halfedge_index h = t.input().halfedge(e);
+    const auto [v, w] = std::minmax(t.input().source(h).idx(), t.input().target(h).idx());
+    is_marked.push_back(w == v + 1 && v / 3 == w / 3 && (v / 3 == 1 || v / 3 == 2));
+  }
+  const auto largest = [](const std::vector<std::uint32_t>& numbers) {
+    return *std::max_element(numbers.begin(), numbers.end());
+  };
+  const IT::Common_subdivision subdivision(t);
+  const IT::Straight_mesh before = IT::straight_mesh(subdivision, sheet.points, is_marked);
+  EXPECT_EQ(before.number_of_regions, 3u);
+  EXPECT_EQ(before.number_of_lines, 6u);
+  EXPECT_EQ(largest(before.regions), 2u);
+  EXPECT_EQ(largest(before.lines), 5u);
+  const IT::Straight_mesh mesh = IT::straight_mesh(subdivision, sheet.points, is_marked, 10, 0.001);
+  EXPECT_TRUE(mesh.is_good()) << message(mesh) << mesh.minimum_angle;
+  EXPECT_EQ(mesh.number_of_regions, 2u);
+  EXPECT_EQ(mesh.number_of_lines, 3u);
+  EXPECT_EQ(largest(mesh.regions), 1u);
+  EXPECT_EQ(largest(mesh.lines), 2u);
+}
+
 TEST(Straight_mesh, asks_its_visitor)
 {
   Model model = graph(20, [](double x, double y) { return 0.01 * std::sin(40 * x * y); });

@@ -71,8 +71,11 @@ struct Straight_mesh
   std::vector<Edge_index> multiple_edges;     ///< edges that share both ends with an earlier one, other than loops
   std::size_t number_of_new_border_edges = 0; ///< how many border edges there are that the surface does not have
   /// with `maximum_deviation`, the pairs of triangles that have more in common than their common corners and edges, as
-  /// decided exactly. Those of the surface remain, and others arise where its parts are nearer to each other than that
+  /// decided exactly; first those where the surface does not cross itself
   std::vector<std::array<std::uint32_t, 2>> crossing_triangles;
+  /// how many of them do not stand for parts of input faces that cross. Steps that lead to such pairs are avoided, but
+  /// parts of the surface that are nearer to each other than `maximum_deviation` may leave no other way
+  std::size_t number_of_new_crossings = 0;
   Surface_report surface; ///< what `examine_polygons()` finds in the triangles: edges of three triangles, for instance
 
   /// returns whether the only thin triangles are at sharp corners. Complexity: constant.
@@ -94,7 +97,8 @@ namespace internal {
 
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
                             const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation,
-                            const std::vector<bool>& is_fixed, const Progress_function& progress);
+                            const std::vector<bool>& is_fixed, const Progress_function& progress,
+                            bool tries_larger_deviations = true);
 
 } // namespace internal
 

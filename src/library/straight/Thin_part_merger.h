@@ -10,12 +10,15 @@
 
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include "Straight_map.h"
+#include "crossing_triangles.h"
 #include "nearness.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,7 +34,8 @@ struct Straight_triangles
   std::vector<Face_index> faces; // of the triangulation: where a triangle belongs
   std::vector<bool> is_kept;     // whether a small angle is to stay
   std::vector<std::array<std::uint32_t, 2>> marked_edges;
-  std::vector<bool> is_fixed; // whether a vertex must not move, or empty
+  std::vector<bool> is_fixed;       // whether a vertex must not move, or empty
+  std::vector<bool> must_not_cross; // whether steps at a face must not make triangles cross, or empty
 };
 
 // Improves thin triangles, as long as surface and triangles stay within the bound of each other:
@@ -57,6 +61,8 @@ public:
   // For each vertex of the triangulation, the vertex that it was merged with, or itself.
   const std::vector<std::uint32_t>& images() const { return images_; }
   std::size_t number_of_removed_pieces() const { return number_of_removed_pieces_; }
+  // The faces that some triangles stand for, in order.
+  std::vector<Face_index> faces_of(const std::vector<std::uint32_t>& triangles) const;
   std::size_t number_of_rods() const { return number_of_rods_; }
   // How many more components there are because components of the surface came apart.
   std::size_t number_of_new_components() const;
@@ -74,6 +80,9 @@ private:
     std::vector<std::pair<std::uint32_t, Face_index>> stands_for = {}; // which triangles stand for which faces then
   };
   using Gain = std::pair<int, double>; // how many thin triangles vanish, and the factor of the smallest angle
+  static constexpr Gain no_gain{(std::numeric_limits<int>::min)(), 0};
+  // A hub of more triangles does not move, so that no step takes long.
+  static constexpr std::size_t most_around = 64;
   // The surface in faces, as triangles.
   struct Surface_part
   {
@@ -90,7 +99,6 @@ private:
 
   Straight_map::Distance largest_distance();
   Surface_part surface_in(const std::vector<Face_index>& faces);
-  std::vector<Face_index> faces_of(const std::vector<std::uint32_t>& triangles) const;
 
   std::vector<Space_triangle> in_space(const std::vector<Triangle>& triangles) const;
   Gain gain(const Change& change, const std::vector<Space_triangle>& before) const;
@@ -98,6 +106,7 @@ private:
   std::vector<Space_triangle> places(const Change& change) const;
   bool is_near_enough(Change& change);
   bool is_within(Change& change, double distance);
+  bool makes_crossings(const Change& change);
   void make(const Change& change);
   void add_face(std::uint32_t t, Face_index f);
   bool try_to_make(Change& change);
@@ -131,11 +140,12 @@ private:
   std::size_t number_of_triangles_at(std::uint32_t v, std::uint32_t w) const { return triangles_at(v, w).size(); }
   bool is_on_border(std::uint32_t v) const;
   bool is_marked(std::uint32_t v, std::uint32_t w) const;
+  bool is_hub(std::uint32_t v) const { return at_vertex_[v].size() > most_around; }
   bool is_fixed(std::uint32_t v) const { return v < mesh_.is_fixed.size() && mesh_.is_fixed[v]; }
   void replace(std::uint32_t t, const Triangle& corners);
   std::uint32_t add_triangle(std::uint32_t beside);
   std::uint32_t add_vertex(const Point& p);
-  void look_at(std::uint32_t v);
+  void look_at(std::uint32_t v, const std::vector<std::uint32_t>& changed = {});
 
   void report(double fraction) const { report_progress(progress_, fraction, "straight_mesh()"); }
 
@@ -148,6 +158,7 @@ private:
   // The faces that a triangle stands for, if it is not its own face as at first.
   std::unordered_map<std::uint32_t, std::vector<Face_index>> stands_for_;
   std::vector<std::vector<std::uint32_t>> stand_for_face_; // the other way round
+  std::optional<Box_tree> face_tree_;                      // of the surface in each face, if nothing must cross
   std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step

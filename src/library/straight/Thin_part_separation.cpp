@@ -237,15 +237,15 @@ void Thin_part_merger::remove_pieces()
       other_boxes.emplace_back(map_.corners(mesh_.triangles[t]));
     }
   const double distance = 2 * maximum_deviation_;
-  const std::vector<std::vector<std::uint32_t>> near = near_boxes(boxes, other_boxes, distance),
-                                                near_pieces = near_boxes(boxes, boxes, distance);
+  const Box_tree tree(std::move(other_boxes)), piece_tree(std::move(boxes));
+  const auto near_pieces = [&](std::uint32_t i) { return piece_tree.near(piece_tree.box(i), distance); };
   std::vector<bool> is_left(pieces.size(), false);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     report(0.8 + 0.05 * double(i) / double(pieces.size()));
     Change change{pieces[i], std::vector<Triangle>(pieces[i].size(), Triangle{0, 0, 0}), {}};
-    for (std::uint32_t other : near[i])
+    for (std::uint32_t other : tree.near(piece_tree.box(i), distance))
       change.beside.push_back(others[other]);
-    for (std::uint32_t other : near_pieces[i])
+    for (std::uint32_t other : near_pieces(i))
       if (is_left[other])
         change.beside.insert(change.beside.end(), pieces[other].begin(), pieces[other].end());
     is_left[i] = !is_near_enough(change);
@@ -256,7 +256,7 @@ void Thin_part_merger::remove_pieces()
   }
   Disjoint_sets sets(pieces.size());
   for (std::uint32_t i = 0; i < pieces.size(); ++i)
-    for (std::uint32_t other : near_pieces[i])
+    for (std::uint32_t other : near_pieces(i))
       if (is_left[i] && is_left[other] && component_of(pieces[i][0]) == component_of(pieces[other][0]))
         sets.unite(i, other);
   std::map<std::uint32_t, std::vector<std::uint32_t>> groups;

@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_CROSSING_TRIANGLES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_CROSSING_TRIANGLES_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -21,6 +23,24 @@ namespace CGAL::Intrinsic_triangulations::internal {
 std::vector<std::array<std::uint32_t, 2>> crossing_triangles(const std::vector<std::array<double, 3>>& points,
                                                              const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                                              const std::function<void()>& go_on);
+
+// Whether two triangles are such a pair.
+bool do_cross(const std::vector<std::array<double, 3>>& points, const std::array<std::uint32_t, 3>& s,
+              const std::array<std::uint32_t, 3>& t);
+
+// Which faces of a triangulation lie where the input itself crosses.
+class Surface_crossings
+{
+public:
+  Surface_crossings(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
+                    const std::function<void()>& go_on);
+  // Whether an input face below one of these faces crosses one below one of the others.
+  bool has(const std::vector<Face_index>& faces, const std::vector<Face_index>& others) const;
+
+private:
+  std::vector<std::vector<std::uint32_t>> input_faces_; // below each face, in order
+  std::vector<std::vector<std::uint32_t>> crossed_;     // the input faces that an input face crosses
+};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -40,82 +42,107 @@ void Space_box::add(const Space_box& other)
   }
 }
 
-namespace {
-
-using Numbers = std::vector<std::uint32_t>;
-
-Numbers near(const Space_box& box, const std::vector<Space_box>& boxes, const Numbers& before, double distance)
+Box_tree::Box_tree(std::vector<Space_box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
 {
-  Numbers result;
-  std::copy_if(before.begin(), before.end(), std::back_inserter(result),
-               [&](std::uint32_t i) { return box.is_near(boxes[i], distance); });
-  return result;
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (!order_.empty())
+    build(0, order_.begin(), order_.end());
 }
 
-// Calls a function for each box with the others within a distance, until it returns false.
-// \param before the others that may be near
-template <class Visit>
-bool visit_near(Numbers::iterator begin, Numbers::iterator end, const std::vector<Space_box>& boxes,
-                const std::vector<Space_box>& others, const Numbers& before, double distance, const Visit& visit)
+void Box_tree::build(std::size_t node, Numbers::iterator begin, Numbers::iterator end)
 {
-  Space_box box = boxes[*begin];
-  std::for_each(begin, end, [&](std::uint32_t i) { box.add(boxes[i]); });
-  const Numbers candidates = near(box, others, before, distance);
+  nodes_.resize((std::max)(nodes_.size(), node + 1));
+  Space_box box = boxes_[*begin];
+  std::for_each(begin, end, [&](std::uint32_t i) { box.add(boxes_[i]); });
+  nodes_[node] = box;
   if (end - begin == 1)
-    return visit(*begin, candidates);
+    return;
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis])
       axis = i;
   const Numbers::iterator middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end, [&](std::uint32_t i, std::uint32_t k) {
-    return boxes[i].low[axis] + boxes[i].high[axis] < boxes[k].low[axis] + boxes[k].high[axis];
+    return boxes_[i].low[axis] + boxes_[i].high[axis] < boxes_[k].low[axis] + boxes_[k].high[axis];
   });
-  return visit_near(begin, middle, boxes, others, candidates, distance, visit) &&
-         visit_near(middle, end, boxes, others, candidates, distance, visit);
+  build(2 * node + 1, begin, middle);
+  build(2 * node + 2, middle, end);
 }
 
-template <class Visit>
-bool visit_near(const std::vector<Space_box>& boxes, const std::vector<Space_box>& others, double distance,
-                const Visit& visit)
+std::vector<std::uint32_t> Box_tree::near(const Space_box& box, double distance) const
 {
-  Numbers own(boxes.size()), all(others.size());
-  std::iota(own.begin(), own.end(), 0u);
-  std::iota(all.begin(), all.end(), 0u);
-  return own.empty() || visit_near(own.begin(), own.end(), boxes, others, all, distance, visit);
+  Numbers result;
+  if (!order_.empty())
+    collect(0, 0, order_.size(), box, distance, result);
+  std::sort(result.begin(), result.end());
+  return result;
 }
+
+void Box_tree::collect(std::size_t node, std::size_t begin, std::size_t end, const Space_box& box, double distance,
+                       Numbers& result) const
+{
+  if (!box.is_near(nodes_[node], distance))
+    return;
+  if (end - begin == 1) {
+    result.push_back(order_[begin]);
+    return;
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  collect(2 * node + 1, begin, middle, box, distance, result);
+  collect(2 * node + 2, middle, end, box, distance, result);
+}
+
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
 
 class Nearness
 {
 public:
   Nearness(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
            std::vector<std::array<std::uint32_t, 2>>& pairs)
-    : triangles_(triangles), others_(others), boxes_(others.begin(), others.end()), distance_(distance), pairs_(pairs)
+    : triangles_(triangles), others_(others), tree_({others.begin(), others.end()}), distance_(distance), pairs_(pairs),
+      rest_((std::max)(std::size_t(1) << 16, 256 * (triangles.size() + others.size())))
   {}
 
   bool operator()()
   {
-    return visit_near(
-      {triangles_.begin(), triangles_.end()}, boxes_, distance_,
-      [this](std::uint32_t i, const Numbers& candidates) { return is_near(i, triangles_[i], candidates, deepest); });
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+      if (!are_parts_near(i, triangles_[i], tree_.near(Space_box(triangles_[i]), distance_), deepest))
+        return false;
+    return true;
   }
 
 private:
   static constexpr int deepest = 30;
 
-  // The distance from a convex set is convex, so it is largest at a corner.
-  bool is_near(std::uint32_t number, const Space_triangle& triangle, const Numbers& candidates, int depth)
+  bool is_near(const std::array<double, 3>& p, std::uint32_t other) const
   {
-    if (--rest_ < 0)
+    const Space_box& box = tree_.box(other);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (p[i] < box.low[i] - distance_ || p[i] > box.high[i] + distance_)
+        return false;
+    Space_triangle seen = others_[other];
+    for (auto& q : seen)
+      for (std::size_t i = 0; i < 3; ++i)
+        q[i] -= p[i];
+    return nearest_to_origin(seen).second <= distance_ * distance_;
+  }
+
+  // The distance from a convex set is convex, so it is largest at a corner.
+  bool are_parts_near(std::uint32_t number, const Space_triangle& triangle, const Numbers& candidates, int depth)
+  {
+    if (rest_-- == 0)
       return false;
     std::array<bool, 3> is_corner_near{};
     for (std::uint32_t other : candidates) {
       bool are_all = true;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const bool is_near = square_of_distance(triangle[i], others_[other]) <= distance_ * distance_;
-        is_corner_near[i] = is_corner_near[i] || is_near;
-        are_all = are_all && is_near;
-      }
+      for (std::size_t i = 0; i < 3; ++i)
+        if (are_all || !is_corner_near[i]) {
+          const bool is_one = is_near(triangle[i], other);
+          is_corner_near[i] = is_corner_near[i] || is_one;
+          are_all = are_all && is_one;
+        }
       if (are_all) {
         pairs_.push_back({number, other});
         return true;
@@ -130,8 +157,16 @@ private:
     Space_triangle first = triangle, second = triangle;
     for (std::size_t axis = 0; axis < 3; ++axis)
       first[i][axis] = second[(i + 1) % 3][axis] = (triangle[i][axis] + triangle[(i + 1) % 3][axis]) / 2;
-    return is_near(number, first, near(Space_box(first), boxes_, candidates, distance_), depth - 1) &&
-           is_near(number, second, near(Space_box(second), boxes_, candidates, distance_), depth - 1);
+    return are_parts_near(number, first, near(Space_box(first), candidates), depth - 1) &&
+           are_parts_near(number, second, near(Space_box(second), candidates), depth - 1);
+  }
+
+  Numbers near(const Space_box& box, const Numbers& before) const
+  {
+    Numbers result;
+    std::copy_if(before.begin(), before.end(), std::back_inserter(result),
+                 [&](std::uint32_t i) { return box.is_near(tree_.box(i), distance_); });
+    return result;
   }
 
   static double square_of_side(const Space_triangle& t, std::size_t k)
@@ -141,33 +176,15 @@ private:
       sum += (t[k][axis] - t[(k + 1) % 3][axis]) * (t[k][axis] - t[(k + 1) % 3][axis]);
     return sum;
   }
-  static double square_of_distance(const std::array<double, 3>& p, Space_triangle seen)
-  {
-    for (auto& q : seen)
-      for (std::size_t i = 0; i < 3; ++i)
-        q[i] -= p[i];
-    return nearest_to_origin(seen).second;
-  }
 
   const std::vector<Space_triangle>&triangles_, &others_;
-  const std::vector<Space_box> boxes_; // of the others
+  const Box_tree tree_; // of the others
   const double distance_;
   std::vector<std::array<std::uint32_t, 2>>& pairs_;
-  int rest_ = 1 << 16; // of the parts
+  std::size_t rest_; // of the parts
 };
 
 } // namespace
-
-std::vector<std::vector<std::uint32_t>> near_boxes(const std::vector<Space_box>& boxes,
-                                                   const std::vector<Space_box>& others, double distance)
-{
-  std::vector<std::vector<std::uint32_t>> result(boxes.size());
-  visit_near(boxes, others, distance, [&](std::uint32_t i, const Numbers& candidates) {
-    result[i] = candidates;
-    return true;
-  });
-  return result;
-}
 
 bool are_near(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
               std::vector<std::array<std::uint32_t, 2>>& pairs)

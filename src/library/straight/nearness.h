@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_NEARNESS_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,16 +19,34 @@ using Space_triangle = std::array<std::array<double, 3>, 3>;
 
 struct Space_box
 {
+  Space_box() = default;
   explicit Space_box(const Space_triangle& triangle);
   bool is_near(const Space_box& other, double distance) const;
   void add(const Space_box& other);
 
-  std::array<double, 3> low, high;
+  std::array<double, 3> low{}, high{};
 };
 
-// For each box, the others within a distance, by their numbers in order.
-std::vector<std::vector<std::uint32_t>> near_boxes(const std::vector<Space_box>& boxes,
-                                                   const std::vector<Space_box>& others, double distance);
+// Finds boxes near others.
+class Box_tree
+{
+public:
+  explicit Box_tree(std::vector<Space_box> boxes);
+  // Their numbers in order. Complexity: O(log n) and for each of the result, usually.
+  std::vector<std::uint32_t> near(const Space_box& box, double distance) const;
+  const Space_box& box(std::uint32_t number) const { return boxes_[number]; }
+
+private:
+  using Numbers = std::vector<std::uint32_t>;
+
+  void build(std::size_t node, Numbers::iterator begin, Numbers::iterator end);
+  void collect(std::size_t node, std::size_t begin, std::size_t end, const Space_box& box, double distance,
+               Numbers& result) const;
+
+  std::vector<Space_box> boxes_;
+  Numbers order_;                // halves of it are the children of a node, down to single boxes
+  std::vector<Space_box> nodes_; // the children of the k-th one are 2k + 1 and 2k + 2
+};
 
 // Whether each point of the triangles is within a distance of one of the others. For this, triangles are divided, down
 // to points; the answer is also "no" where too many parts would be needed. Everything is rounded: callers give a little

@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -33,9 +34,10 @@ class Straight_mesh_maker
 {
 public:
   Straight_mesh_maker(const Common_subdivision& subdivision, const std::vector<Point>& points,
-                      const std::vector<bool>& is_fixed, const Progress_function& progress)
+                      const std::vector<bool>& is_fixed, const std::vector<bool>& must_not_cross,
+                      const Progress_function& progress)
     : overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), map_(subdivision, points),
-      is_fixed_(is_fixed), progress_(progress)
+      is_fixed_(is_fixed), must_not_cross_(must_not_cross), progress_(progress)
   {}
 
   Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
@@ -53,6 +55,9 @@ public:
     mesh_.number_of_new_border_edges = (std::max)(mesh_.surface.number_of_border_edges, number) - number;
     return std::move(mesh_);
   }
+
+  // For each triangle, the faces that it stands for.
+  const std::vector<std::vector<Face_index>>& stands_for() const { return stands_for_; }
 
 private:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -126,6 +131,7 @@ private:
           triangles.marked_edges.push_back({points[i - 1], points[i]});
       }
     triangles.is_fixed = is_fixed_;
+    triangles.must_not_cross = must_not_cross_;
     Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation, progress_);
     const Straight_map::Distance distance = merger();
     mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
@@ -142,6 +148,7 @@ private:
         const Face_index f = triangles.faces[t];
         mesh_.triangles.push_back(corners);
         mesh_.faces.push_back(f);
+        stands_for_.push_back(merger.faces_of({std::uint32_t(t)}));
         mesh_.input_faces.push_back(input_faces[f.idx()]);
         mesh_.regions.push_back(std::uint32_t(region_of_face_[f.idx()]));
       }
@@ -327,8 +334,10 @@ private:
   Straight_map map_;
   std::vector<bool> is_marked_;
   std::vector<std::size_t> region_of_face_;
-  const std::vector<bool>& is_fixed_; // the vertices that must not be merged
+  const std::vector<bool>& is_fixed_;       // the vertices that must not be merged
+  const std::vector<bool>& must_not_cross_; // whether steps at a face must not make triangles cross
   const Progress_function& progress_;
+  std::vector<std::vector<Face_index>> stands_for_;
   std::vector<std::array<std::uint32_t, 2>> divisions_; // of loops
   std::size_t number_of_new_border_parts_ = 0;
   std::vector<std::uint32_t> images_;  // of vertices of the triangulation, among the vertices before they are numbered
@@ -336,11 +345,90 @@ private:
   Straight_mesh mesh_;
 };
 
+// Where triangles are no surface, all are bad.
+std::size_t number_of_bad(const Straight_mesh& mesh, double deviation)
+{
+  return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners
+                                                          : mesh.triangles.size() + 1;
+}
+
+// Where triangles cross and the surface does not, they are made again without the steps that lead to that. Programs that
+// fill volumes refuse a surface that crosses itself, whatever its triangles do.
+class Crossing_free_maker
+{
+public:
+  Crossing_free_maker(const Common_subdivision& subdivision, const std::vector<Point>& points,
+                      const std::vector<bool>& is_fixed)
+    : subdivision_(subdivision), points_(points), is_fixed_(is_fixed)
+  {}
+
+  Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle, double deviation,
+                     const Progress_function& progress)
+  {
+    constexpr int most_rounds = 4;
+    Straight_mesh result;
+    std::vector<bool> must_not_cross;
+    for (int round = 0; round < most_rounds; ++round) {
+      const Progress_function part =
+        part_of_progress(progress, double(round) / most_rounds, double(round + 1) / most_rounds);
+      Straight_mesh_maker maker(subdivision_, points_, is_fixed_, must_not_cross, part);
+      Straight_mesh mesh = maker.make(is_marked, thin_angle, deviation);
+      const std::vector<bool> before = must_not_cross;
+      if (deviation > 0)
+        find_crossings(mesh, maker.stands_for(), must_not_cross, part);
+      const auto defects = [deviation](const Straight_mesh& m) {
+        return std::pair(number_of_bad(m, deviation), m.number_of_new_crossings);
+      };
+      if (round == 0 || defects(mesh) < defects(result))
+        result = std::move(mesh);
+      if (must_not_cross == before)
+        break;
+    }
+    return result;
+  }
+
+private:
+  // \param must_not_cross gets the faces that crossing triangles stand for
+  void find_crossings(Straight_mesh& mesh, const std::vector<std::vector<Face_index>>& stands_for,
+                      std::vector<bool>& must_not_cross, const Progress_function& progress)
+  {
+    std::size_t calls = 0;
+    const auto go_on = [&] {
+      if (calls++ % 256 == 0)
+        report_progress(progress, 1, "straight_mesh()");
+    };
+    auto& pairs = mesh.crossing_triangles;
+    pairs = crossing_triangles(mesh.points, mesh.triangles, go_on);
+    if (pairs.empty())
+      return;
+    if (!surface_crossings_)
+      surface_crossings_.emplace(subdivision_, points_, go_on);
+    const auto is_new = [&](const auto& pair) {
+      return !surface_crossings_->has(stands_for[pair[0]], stands_for[pair[1]]);
+    };
+    const auto end = std::stable_partition(pairs.begin(), pairs.end(), is_new);
+    mesh.number_of_new_crossings = std::size_t(end - pairs.begin());
+    if (end != pairs.end())
+      return;
+    must_not_cross.resize(subdivision_.intrinsic().number_of_faces());
+    for (const auto& [s, t] : pairs)
+      for (std::uint32_t triangle : {s, t})
+        for (Face_index f : stands_for[triangle])
+          must_not_cross[f.idx()] = true;
+  }
+
+  const Common_subdivision& subdivision_;
+  const std::vector<Point>& points_;
+  const std::vector<bool>& is_fixed_;
+  std::optional<Surface_crossings> surface_crossings_; // if triangles cross
+};
+
 } // namespace
 
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<Point>& points,
                             const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation,
-                            const std::vector<bool>& is_fixed, const Progress_function& progress)
+                            const std::vector<bool>& is_fixed, const Progress_function& progress,
+                            bool tries_larger_deviations)
 {
   const auto check = [](std::size_t given, const char* what, std::size_t needed, const char* of_what) {
     if (given != needed)
@@ -355,27 +443,16 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
       throw Invalid_argument_error("straight_mesh(): a coordinate of a point is not finite");
   if (!is_fixed.empty())
     check(is_fixed.size(), "marks of fixed vertices", subdivision.input().number_of_vertices(), "vertices");
-  const auto make = [&](double deviation, double begin, double end) {
-    const Progress_function part = part_of_progress(progress, begin, end);
-    return Straight_mesh_maker(subdivision, points, is_fixed, part).make(is_marked, thin_angle, deviation);
-  };
-  Straight_mesh result = make(maximum_deviation, 0, 0.4);
-  if (maximum_deviation == 0)
+  Crossing_free_maker maker(subdivision, points, is_fixed);
+  Straight_mesh result = maker.make(is_marked, thin_angle, maximum_deviation, part_of_progress(progress, 0, 0.4));
+  if (maximum_deviation == 0 || !tries_larger_deviations)
     return result;
   // Larger ones are tried as long as that leaves fewer bad triangles.
-  const auto number_of_bad = [](const Straight_mesh& mesh, double deviation) {
-    return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners
-                                                            : mesh.triangles.size() + 1;
-  };
-  std::size_t calls = 0;
-  result.crossing_triangles = crossing_triangles(result.points, result.triangles, [&] {
-    if (calls++ % 256 == 0)
-      report_progress(progress, 0.4, "straight_mesh()");
-  });
   double d = 2 * maximum_deviation, done = 0.4;
   for (std::size_t before = number_of_bad(result, maximum_deviation); before > 0 && d < 100 * maximum_deviation;
        d *= 2, done += 0.1) {
-    const std::size_t number = number_of_bad(make(d, done, done + 0.1), d);
+    const std::size_t number =
+      number_of_bad(maker.make(is_marked, thin_angle, d, part_of_progress(progress, done, done + 0.1)), d);
     if (number == 0)
       result.sufficient_deviation = d;
     before = number < before ? number : 0;

@@ -116,4 +116,7 @@ class StraightMesh(NamedTuple):
     new_components: int
     """How many components there are more than the surface has, as thin parts between them vanished."""
     crossing_triangles: numpy.ndarray
-    """With maximum_deviation, the pairs of triangles that have more in common than their common corners and edges."""
+    """With maximum_deviation, the pairs of triangles that have more in common than their common corners and edges; first
+    those where the surface does not cross itself."""
+    new_crossings: int
+    """How many of them do not stand for parts of faces of the input that cross."""
