@@ -38,9 +38,8 @@ Exact_engine::Exact_engine(Delta_complex connectivity) : connectivity_(std::move
 
 void Exact_engine::keep_input(Input_metric metric)
 {
-  std::unique_ptr<Memory> memory = std::make_unique<Memory>();
+  memory_ = std::make_unique<Memory>();
   metric_ = std::move(metric);
-  memory_ = std::move(memory);
 }
 
 Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.connectivity_), metric_(other.metric_)
@@ -273,7 +272,8 @@ bool Exact_engine::follow_faces(const Hinge_halfedges& around)
     const bool lays_out = memory.spare_layouts > 0 && is_prepared() && !memory.images &&
                           !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
     memory.spare_layouts -= lays_out;
-    if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
+    if (lays_out || (is_close_call && (memory.spare_layouts > 0 || memory.images)) || faces.contains(around.ij) ||
+        faces.contains(around.ji))
       faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Known_corner> {
         if (is_straight(connectivity_.face(h)))
           return Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
@@ -325,9 +325,9 @@ Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface
   connectivity_.make_room_for_vertex();
   const Face_index f = connectivity_.face(piece.side);
   memory_->split_face.reset();
-  std::optional<Developed_faces::Whole> whole;
-  if (memory_->developed_faces.contains(piece.side))
-    whole = memory_->developed_faces.whole(connectivity_, piece.side);
+  const Developed_faces& developed = memory_->developed_faces;
+  const auto whole =
+    developed.contains(piece.side) ? std::make_optional(developed.whole(connectivity_, piece.side)) : std::nullopt;
   split_faces({f}, 3, 3, location, [&] { memory_->correspondence.split_face(connectivity_, piece, location); });
   memory_->split_face = whole; // a failed split leaves nothing behind
   return connectivity_.split_face(piece.side);
@@ -378,12 +378,10 @@ void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t
 Removed_elements Exact_engine::unsplit_edge(Halfedge_index h, std::initializer_list<Halfedge_index> first)
 {
   memory_->correspondence.unsplit_edge(connectivity_, h);
-  const Halfedge_index behind = connectivity_.continuation(h);
-  if (!connectivity_.is_border(h))
-    join_faces(connectivity_.face(h), {connectivity_.face(h), connectivity_.face(behind)});
-  if (!connectivity_.is_border(connectivity_.opposite(h)))
-    join_faces(connectivity_.face(connectivity_.opposite(h)),
-               {connectivity_.face(connectivity_.opposite(h)), connectivity_.face(connectivity_.opposite(behind))});
+  const Halfedge_index behind = connectivity_.continuation(h), g = connectivity_.opposite(h);
+  for (const auto& [one, other] : {std::pair(h, behind), std::pair(g, connectivity_.opposite(behind))})
+    if (!connectivity_.is_border(one))
+      join_faces(connectivity_.face(one), {connectivity_.face(one), connectivity_.face(other)});
   const Removed_elements removed = connectivity_.unsplit_edge(h);
   remove(removed);
   set_first(first);
@@ -496,14 +494,12 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
     return correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
   };
   if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
-    Halfedge_index cheapest = whole->sides[0];
     const auto cost = [&](Halfedge_index side) {
       return number_of_crossings(connectivity_.next(side)) + number_of_crossings(connectivity_.prev(side));
     };
-    for (Halfedge_index side : whole->sides)
-      if (cost(side) < cost(cheapest))
-        cheapest = side;
-    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(cheapest));
+    const auto cheapest = std::min_element(whole->sides.begin(), whole->sides.end(),
+                                           [&](auto one, auto other) { return cost(one) < cost(other); });
+    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(*cheapest));
   }
   bool are_all_developed = true;
   std::int64_t number = 0;

@@ -39,25 +39,25 @@ public:
   std::optional<Sign> sign_in_plane() const { return std::nullopt; }
   bool may_be_laid_out() const { return true; }
   std::optional<Sign> sign_in_doubles() const { return std::nullopt; }
-  std::optional<Sign> sign_in_double_doubles() const
+  std::optional<Sign> sign_in_double_doubles()
   {
-    Double_double_metric metric(*surface_);
-    const Unfolding<Double_double_metric> unfolding(engine_.connectivity_, engine_.correspondence(), metric);
-    const Opposite_corners corners = unfolded_corners(unfolding, at_);
-    const Uncertain<Sign> sign = sign_of_cotangents(corners.k, corners.l);
+    corners_ = {engine_.unfolded_corner(at_.opposite_to_k, *surface_),
+                engine_.unfolded_corner(at_.opposite_to_l, *surface_)};
+    const Uncertain<Sign> sign = sign_of_cotangents(corners_->k, corners_->l);
     return is_certain(sign) ? std::make_optional(get_certain(sign)) : std::nullopt;
   }
   std::optional<Sign> sign_of_carried_images() const { return std::nullopt; }
   std::optional<Sign> sign_laid_out_anew() const { return std::nullopt; }
   std::optional<Exact_decision> sign_by_exact_stages() const
   {
-    return engine_.exact_fallback(*surface_).sign_of_cotangents(at_);
+    return engine_.exact_fallback(*surface_).sign_of_cotangents(at_, *corners_);
   }
 
 protected:
   const Exact_engine& engine_;
   const Two_corners at_;
-  Input_surface* surface_; // may be taken later
+  Input_surface* surface_;                  // may be taken later
+  std::optional<Opposite_corners> corners_; // once they are laid out
 };
 
 // Also uses knowledge about the faces, but stores nothing.
@@ -105,7 +105,6 @@ private:
 
   Means means_;
   std::optional<Surface_lease> lease_;
-  std::optional<Opposite_corners> corners_;
 };
 
 // Likewise, and remembers data that makes tests after the next flips cheap.
@@ -114,7 +113,7 @@ class Exact_engine::Kept_corners : public Corners
 public:
   // \param corners receives the corners once they are laid out
   Kept_corners(Exact_engine& engine, Edge_index e, std::optional<Opposite_corners>& corners)
-    : Corners(engine, corners_beside(engine.connectivity_, e), nullptr), engine_(engine), e_(e), corners_(corners)
+    : Corners(engine, corners_beside(engine.connectivity_, e), nullptr), engine_(engine), e_(e), kept_(corners)
   {}
 
   std::optional<Sign> sign_in_plane() { return engine_.sign_in_plane(at_, *engine_.memory_->straight_faces); }
@@ -124,44 +123,48 @@ public:
     const std::size_t number_of_edges = engine_.connectivity_.number_of_edges();
     engine_.memory_->is_close_call.resize(number_of_edges);
     engine_.memory_->is_close_call[e_.idx()] = true;
-    engine_.memory_->note_question(number_of_edges);
+    if (!are_straight()) // otherwise flips need not lay out more
+      engine_.memory_->note_question(number_of_edges);
     return true;
   }
   std::optional<Sign> sign_in_doubles() { return sign(true); }
   std::optional<Sign> sign_in_double_doubles() { return sign(false); }
   std::optional<Sign> sign_of_carried_images() const
   {
-    return engine_.sign_by_images(at_, *corners_, *engine_.input_surface(), true);
+    return engine_.sign_by_images(at_, *kept_, *engine_.input_surface(), true);
   }
   std::optional<Sign> sign_laid_out_anew()
   {
-    bool is_laid_out_anew = false;
+    if (are_straight())
+      return std::nullopt;
     for (Halfedge_index side : {at_.opposite_to_k, at_.opposite_to_l})
-      if (!engine_.is_straight(engine_.connectivity_.face(side))) {
-        engine_.memory_->developed_faces.forget(engine_.connectivity_, side);
-        is_laid_out_anew = true;
-      }
-    return is_laid_out_anew ? sign(false) : std::nullopt;
+      engine_.memory_->developed_faces.forget(engine_.connectivity_, side);
+    return sign(false);
   }
   std::optional<Exact_decision> sign_by_exact_stages()
   {
-    const Exact_decision decision = engine_.exact_fallback(*engine_.input_surface()).sign_of_cotangents(at_);
+    const Exact_decision decision = engine_.exact_fallback(*engine_.input_surface()).sign_of_cotangents(at_, *kept_);
     if (decision.is_rational && !engine_.memory_->images)
       engine_.carry_images();
     return decision;
   }
 
 private:
+  bool are_straight() const
+  {
+    return engine_.is_straight(engine_.connectivity_.face(at_.opposite_to_k)) &&
+           engine_.is_straight(engine_.connectivity_.face(at_.opposite_to_l));
+  }
   std::optional<Sign> sign(bool in_doubles)
   {
-    corners_ = {engine_.developed_corner(at_.opposite_to_k, in_doubles),
-                engine_.developed_corner(at_.opposite_to_l, in_doubles)};
-    return engine_.sign_by_corners(at_, *corners_);
+    kept_ = {engine_.developed_corner(at_.opposite_to_k, in_doubles),
+             engine_.developed_corner(at_.opposite_to_l, in_doubles)};
+    return engine_.sign_by_corners(at_, *kept_);
   }
 
   Exact_engine& engine_;
   Edge_index e_;
-  std::optional<Opposite_corners>& corners_;
+  std::optional<Opposite_corners>& kept_;
 };
 
 Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners)

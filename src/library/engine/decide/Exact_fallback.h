@@ -65,23 +65,26 @@ public:
     : complex_(complex), correspondence_(correspondence), surface_(surface)
   {}
 
-  // The sign of the sum of the cotangents of two corners.
-  Exact_decision sign_of_cotangents(const Two_corners& corners)
+  // The sign of the sum of the cotangents of two corners. Most areas are known from their layouts before.
+  Exact_decision sign_of_cotangents(const Two_corners& corners, const Opposite_corners<Bounded_double_double>& known)
   {
     const auto sum = [&](auto& metric) {
       const auto c = unfolded_corners(unfolding(metric), corners);
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
     const Exact_number number(surface_, sum, [&] { return may_be_rational(corners.opposite_to_k); });
+    const auto has_positive_area = [this](Halfedge_index h, const auto& corner) {
+      return certainly(corner.four_areas.sign() == POSITIVE) || sign_of_area(h) == POSITIVE;
+    };
     const auto has_parallel_folds = [&] { return is_level(corners) || is_trapezoid(corners); };
     const auto is_symmetric = [&] {
       return is_hinge(complex_, corners) &&
              Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
-             has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
+             has_positive_area(corners.opposite_to_k, known.k) && has_positive_area(corners.opposite_to_l, known.l);
     };
     const auto what = [&] { return name(corners) + ": that the sum of their angles is pi"; };
     const Exact_decision decision = sign_by_exact_stages(number, {has_parallel_folds, is_symmetric}, what);
-    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
+    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k, known.k))
       return decision;
     // Both areas are zero: the signs of the scalar products tell which of the angles are π.
     return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k), sign_of_scalar_product(corners.opposite_to_l)),
@@ -257,8 +260,6 @@ private:
              " is zero";
     });
   }
-
-  bool has_positive_area(Halfedge_index h) { return sign_of_area(h) == POSITIVE; }
 
   std::string name(const Two_corners& corners) const
   {
