@@ -130,25 +130,58 @@ TEST(Refine_Delaunay, makes_large_triangles_small)
   EXPECT_GT(report.insertions, 300u);
 }
 
+// An open one, whose sides are 1 long.
+samples::Indexed_triangles cone(double degrees)
+{
+  samples::Indexed_triangles result;
+  const double radius = degrees / 360, height = std::sqrt(1 - radius * radius);
+  const std::uint32_t n = 12;
+  result.points.push_back({0, 0, height});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    result.points.push_back({radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n), 0});
+    result.triangles.push_back({0, i + 1, (i + 1) % n + 1});
+  }
+  return result;
+}
+
 // A needle of 5 degrees: its tip is left, and nothing else.
 TEST(Refine_Delaunay, protects_small_cones)
 {
   for (double degrees : {5., 20., 59.}) {
-    samples::Indexed_triangles cone;
-    const double radius = degrees / 360, height = std::sqrt(1 - radius * radius);
-    const std::uint32_t n = 12;
-    cone.points.push_back({0, 0, height});
-    for (std::uint32_t i = 0; i < n; ++i) {
-      cone.points.push_back({radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n), 0});
-      cone.triangles.push_back({0, i + 1, (i + 1) % n + 1});
-    }
-    Triangulation triangulation = triangulation_of(cone);
+    Triangulation triangulation = triangulation_of(cone(degrees));
     const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
     expect_refined(triangulation, report);
     EXPECT_EQ(report.unrefined.size(), degrees < 25 ? 1u : 0u) << degrees;
     for (const IT::Unrefined_face& f : report.unrefined)
       EXPECT_EQ(f.reason, IT::Refinement_obstacle::CONE);
   }
+}
+
+// No edge at the tip is longer than others may be, nor a circumcircle larger.
+TEST(Refine_Delaunay, keeps_sizes_at_small_cones)
+{
+  for (double degrees : {1., 5., 20., 59.})
+    for (double size : {0.5, 0.1, 0.02}) {
+      const auto size_at_tip = boost::make_function_property_map<IT::Vertex_index, double>(
+        [size](IT::Vertex_index v) { return v.idx() == 0 ? size : std::numeric_limits<double>::infinity(); });
+      Triangulation by_length = triangulation_of(cone(degrees)), by_radius = by_length, by_sizes = by_length;
+      const IT::Refinement_report report = IT::refine_Delaunay(by_length, CGAL::parameters::maximum_edge_length(size));
+      expect_refined(by_length, report, 25, size);
+      for (double length : IT::edge_lengths(by_length))
+        EXPECT_LE(length, size);
+      IT::refine_Delaunay(by_radius, CGAL::parameters::maximum_circumradius(size));
+      for (IT::Face_index f : by_radius.connectivity().faces()) {
+        double product = 1;
+        IT::Halfedge_index h = by_radius.connectivity().halfedge(f);
+        for (int i = 0; i < 3; ++i, h = by_radius.connectivity().next(h))
+          product *= by_radius.length(by_radius.connectivity().edge(h));
+        EXPECT_LE(product / (4 * by_radius.area(f)), size * (1 + 1e-12));
+      }
+      IT::refine_Delaunay(by_sizes, CGAL::parameters::size_map(size_at_tip));
+      const IT::Delta_complex& complex = by_sizes.connectivity();
+      for (IT::Halfedge_index h : IT::internal::Halfedges_around(complex, IT::Vertex_index(0)))
+        EXPECT_LE(by_sizes.length(complex.edge(h)), size * 1.3);
+    }
 }
 
 // A triangle with a corner of one degree between border edges.

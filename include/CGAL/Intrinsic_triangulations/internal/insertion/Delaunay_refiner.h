@@ -276,7 +276,8 @@ private:
       while ((h = complex_.next_around_source(h)) != first)
         if (faces_.length(h) < faces_.length(nearest))
           nearest = h;
-      const double radius = (std::min)(faces_.length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
+      const double radius =
+        (std::min)(faces_.length(nearest) / 3, quality_.radius_of_protected_cone(v, cones_.radius_of_input_faces(v)));
       const double t = radius / faces_.length(nearest);
       const auto place =
         point_on_input(engine_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });

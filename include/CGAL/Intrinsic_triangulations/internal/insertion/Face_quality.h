@@ -95,6 +95,15 @@ public:
     return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) &&
            !segments_.is_between_shells(complex_.next(corner));
   }
+  // How far the vertex may be that protects a small cone. The circumcenters of faces that are left lie closer to the tip
+  // than 2 / sqrt(3) of that, so their sides are shorter than twice as much. There, sizes are at least 0.7 of that at the
+  // tip. Straight triangles may leave out the part before that vertex.
+  // \param radius of the input faces around it
+  double radius_of_protected_cone(Vertex_index tip, double radius) const
+  {
+    return (std::min)({radius / (criteria_.sizes.empty() ? 2 : 8), 0.3 * sizes_.longest_between(tip, tip),
+                       0.8 * criteria_.maximum_circumradius, criteria_.maximum_deviation / 3});
+  }
   // Whether refinement cannot change the corner at the source of h.
   std::optional<Refinement_obstacle> obstacle_at(Halfedge_index h) const
   {
