@@ -433,6 +433,22 @@ TEST(Remove_nearly_flat_vertices, keeps_the_distance)
   EXPECT_GE(number, 8u);
 }
 
+// Beyond the lengths of edges, too, where triangles are not thin for being smaller than the tolerance.
+TEST(Remove_nearly_flat_vertices, removes_more_with_a_larger_tolerance)
+{
+  for (const samples::Indexed_triangles& sample : {samples::bumpy_sphere(), samples::bumpy_dome()}) {
+    const Surface surface = surface_of(sample);
+    std::size_t number = surface.points.size();
+    for (double tolerance : {0., 1e-3, 1e-2, 3e-2, 0.1, 0.3, 1.}) {
+      Surface s = surface;
+      EXPECT_LE(IT::remove_nearly_flat_vertices(s.complex, s.points, tolerance).deviation, tolerance);
+      EXPECT_LE(s.points.size(), number) << tolerance;
+      number = s.points.size();
+    }
+    EXPECT_LT(number, surface.points.size() / 2);
+  }
+}
+
 TEST(Remove_nearly_flat_vertices, without_a_tolerance_is_exact)
 {
   Surface s = cubes({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}), t = s;

@@ -192,11 +192,14 @@ private:
     }
   }
   // With a tolerance, points that are nearly in line are no corner: a triangle of them would stand between a vertex and
-  // its removal.
+  // its removal. A larger tolerance does not make every small triangle thin.
   bool is_thin(std::size_t right, std::size_t i, std::size_t left) const
   {
+    constexpr double part_of_base = 0x1p-6;
     const Vector base = difference(end(left), end(right));
-    return tolerance_ > 0 && !(norm(cross_product(difference(end(i), end(right)), base)) > tolerance_ * norm(base));
+    const double length = norm(base);
+    return tolerance_ > 0 && !(norm(cross_product(difference(end(i), end(right)), base)) >
+                               (std::min)(tolerance_, part_of_base * length) * length);
   }
   bool is_ridge(std::size_t i) const { return std::find(ridges_.begin(), ridges_.end(), i) != ridges_.end(); }
 
@@ -339,11 +342,10 @@ private:
   Sign turn_ = POSITIVE;
 };
 
-inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex,
-                                                    std::vector<std::array<double, 3>>& points,
-                                                    const Progress_function& progress)
+// \param result the previous descriptors of the vertices
+inline void remove_vertices_of(Flat_star& star, std::vector<std::array<double, 3>>& points,
+                               std::vector<Vertex_index>& result, const Progress_function& progress)
 {
-  std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
   const Loop_progress loop(progress, "removing flat vertices", 0, 1, result.size());
   // The last vertex, which moves, has been looked at.
   const auto look_at = [&](std::size_t v) {
@@ -366,7 +368,6 @@ inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_compl
     for (std::size_t v = result.size(); v-- > 0;)
       goes_on = look_at(v) || goes_on;
   }
-  return result;
 }
 
 inline void drop_short_chains(const Delta_complex& complex, const Face_directions& directions, double minimum_length,
@@ -394,17 +395,23 @@ std::vector<Vertex_index> internal::remove_flat_vertices(Delta_complex& complex,
 {
   const internal::Standard_arithmetic arithmetic;
   internal::Flat_star star(complex, points);
-  return internal::remove_vertices_of(star, complex, points, progress);
+  std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
+  internal::remove_vertices_of(star, points, result, progress);
+  return result;
 }
 
+// First those that need no tolerance, so that none of them stays for another one.
 Flat_vertex_removal internal::remove_nearly_flat_vertices(Delta_complex& complex,
                                                           std::vector<std::array<double, 3>>& points, double tolerance,
                                                           const Progress_function& progress)
 {
+  Flat_vertex_removal result;
+  result.vertices = internal::remove_flat_vertices(complex, points, part_of_progress(progress, 0, 0.5));
+  if (!(tolerance > 0))
+    return result;
   const internal::Standard_arithmetic arithmetic;
   internal::Flat_star star(complex, points, tolerance);
-  Flat_vertex_removal result;
-  result.vertices = internal::remove_vertices_of(star, complex, points, progress);
+  internal::remove_vertices_of(star, points, result.vertices, part_of_progress(progress, 0.5, 1));
   result.deviation = star.deviation();
   return result;
 }
