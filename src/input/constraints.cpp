@@ -39,7 +39,8 @@ public:
       fail("the file cannot be opened");
     bool is_line = false;
     for (std::string text; std::getline(file, text);) {
-      ++line_;
+      if (++line_ == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0) // the byte order mark of spreadsheets
+        text.erase(0, 3);
       std::replace_if(
         text.begin(), text.end(), [](char c) { return c == ',' || c == ';' || c == '\r' || c == '\t'; }, ' ');
       std::istringstream words(text);

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -137,7 +138,8 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
 /// \brief divides edges and faces so that lines on a surface become edges, to be constrained in `refine_Delaunay()`.
 ///
 /// Each point of a line inside an edge or a face becomes a vertex, and edges join consecutive ones. So two consecutive
-/// points lie in one face, as those of `Geodesic_path` do. Different lines may meet at their points.
+/// points lie in one face, as those of `Geodesic_path` do. Lines may cross each other and themselves, which makes a vertex,
+/// too. Points that differ by less than 2^-40 of a face are one.
 class Line_divider
 {
 public:
@@ -147,18 +149,18 @@ public:
 
   /// \param complex, points the connectivity, and the positions of its vertices. They are changed as by
   ///   `Delta_complex::split_edge()` and `Delta_complex::split_face()`, and have to outlive this
-  Line_divider(Delta_complex& complex, std::vector<std::array<double, 3>>& points) : complex_(complex), points_(points)
+  Line_divider(Delta_complex& complex, std::vector<std::array<double, 3>>& points)
+    : complex_(complex), points_(points), number_before_(complex.number_of_vertices())
   {}
 
   /// begins another line.
   void begin_line() { last_.reset(); }
   /// \brief appends a point to the line.
   /// \param corners the point, by vertices of the complex as it was given
-  /// \exception Invalid_point_error if there is no such edge or face, if the line crosses an edge a second time, or if
-  ///   it ends in a face that was cut before. Then nothing has changed, or only an edge or a face was divided. O(sum of
-  ///   the degrees of the corners)
-  void add_point(const Corners& corners);
-  /// \brief keeps an edge.
+  /// \exception Invalid_point_error if there is no such edge or face, or the point does not lie in one face with the
+  ///   point before. Then only edges and faces were divided. O(sum of the degrees of the corners, and the parts of the face)
+  void add_point(Corners corners);
+  /// \brief keeps an edge of the complex as it was given.
   /// \exception Invalid_point_error if no edge joins these vertices
   void add_edge(Vertex_index v, Vertex_index w);
 
@@ -166,18 +168,26 @@ public:
   std::vector<bool> edges() const;
 
 private:
+  using Face = std::array<Vertex_index, 3>;
+
   std::optional<Halfedge_index> halfedge(Vertex_index v, Vertex_index w) const;
+  void keep(Vertex_index v, Vertex_index w);
+  Corners place(Vertex_index v) const;
+  std::optional<std::array<double, 2>> coordinates(Vertex_index v, const Face& face) const;
+  Vertex_index split(Halfedge_index h, const Corners& corners);
   Vertex_index on_edge(const Corners& corners);
   Vertex_index in_face(const Corners& corners);
-  std::optional<Halfedge_index> side_of_face(Vertex_index a, Vertex_index b, Vertex_index c) const;
+  void connect(Vertex_index from, Vertex_index to);
   void add_place(const Corners& corners);
 
   Delta_complex& complex_;
   std::vector<std::array<double, 3>>& points_;
+  const std::uint32_t number_before_; // of vertices
+  std::vector<Corners> places_;       // of later ones
   std::set<Edge_index> edges_;
   std::optional<Vertex_index> last_; // of the current line
-  // The vertex on an edge that was cut, and its weight at the second end.
-  std::map<std::pair<Vertex_index, Vertex_index>, std::pair<Vertex_index, double>> cuts_;
+  // For each edge that was cut, from the smaller vertex: the vertices on it, by their weights at the larger one.
+  std::map<std::pair<Vertex_index, Vertex_index>, std::map<double, Vertex_index>> cuts_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations
