@@ -477,6 +477,13 @@ Exit_status run_geodesic(Geodesic_options options)
     write_stats(options.stats_path, curve);
     write_report(std::cout, curve);
     flush_standard_output();
+    if (curve.status == name(IT::Geodesic_status::CONTRACTIBLE)) {
+      std::cerr << "idt: " << path << ": the curve shrinks to vertex " << curve.vertex->idx()
+                << ", so no closed curve is locally shortest, and files have no points: let it run around a handle, a "
+                   "hole or a spike"
+                << std::endl;
+      return Exit_status::NOT_FINISHED;
+    }
     return curve.is_geodesic && curve.status != "unfinished" && (!curve.distance || curve.is_shortest())
              ? Exit_status::DONE
              : Exit_status::NOT_FINISHED;
@@ -493,8 +500,8 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     "A path or a closed curve begins along edges, and flips shorten it until it is proven to be\n"
     "locally shortest. On triangles that are no oriented manifold, a path between vertices is the shortest of all. A "
     "line is followed over the faces, with exact decisions. Vertices are counted from\n"
-    "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
-    "line reached --maximum-faces.\n");
+    "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or\n"
+    "shrinks to a point, or a line reached --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   add_option(command, "--from", options->from, "V|X,Y,Z",
              "the start: a vertex, or the point of the surface nearest to a point in space")

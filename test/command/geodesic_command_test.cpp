@@ -79,7 +79,10 @@ TEST_F(Geodesic_command, passes_through_vertices_and_shrinks_loops)
   ASSERT_EQ(idt("geodesic sheet.off --from 0 --via 4 --to 24 --stats s.json -o p.ply").status, 0);
   EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), 8, 1e-14);
   EXPECT_TRUE(contains(content(folder_ / "p.ply"), "element edge 8"));
-  ASSERT_EQ(idt("geodesic sheet.off --from 0 --via 4 --to 24 --closed --stats s.json -o p.obj").status, 0);
+  const Command_run run = idt("geodesic sheet.off --from 0 --via 4 --to 24 --closed --stats s.json -o p.csv");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "sheet.off: the curve shrinks to vertex ")) << run.err;
+  EXPECT_EQ(lines(content(folder_ / "p.csv")).size(), 1u); // a header
   EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("status"), "contractible");
 }
 
