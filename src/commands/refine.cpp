@@ -244,22 +244,36 @@ IT::Straight_mesh straight_mesh(const Triangulation_result& result, bool is_tria
     IT::internal::progress_function_of(CGAL::parameters::visitor(std::ref(progress))), !is_trial);
 }
 
-// A larger deviation for which refinement leads to good triangles, found by trying, with two digits; or 0.
+// A unit in the last place of the largest coordinate.
+double coordinate_rounding(const Surface& surface)
+{
+  double largest = 0;
+  for (const auto& p : surface.points)
+    for (double x : p)
+      largest = (std::max)(largest, std::abs(x));
+  return std::numeric_limits<double>::epsilon() * largest;
+}
+
+// A larger deviation for which refinement leads to good triangles, found by trying, with two digits; or 0. No point is as
+// near as rounding.
 double sufficient_deviation(const Surface& surface, Run_options run_options, const Refine_options& options,
                             double suggestion)
 {
   double& deviation = run_options.refinement->criteria.maximum_deviation;
-  const double first = deviation;
-  for (double d = (std::max)(suggestion, 2 * first); d < 100 * first; d *= 2) {
-    const double digit = std::pow(10, std::floor(std::log10(d)) - 1);
-    deviation = std::ceil(d / digit) * digit;
-    std::istringstream(in_short(deviation)) >> deviation; // as it is written
-    const Triangulation_result result = refine_surface(surface, run_options, options);
-    if (!result.outcome.subdivision || is_interrupted())
-      return 0;
-    if (const IT::Straight_mesh mesh = straight_mesh(result, true); mesh.is_good() && mesh.deviation <= deviation)
-      return deviation;
-  }
+  const double rounding = coordinate_rounding(surface),
+               first = (std::max)({suggestion, 2 * deviation, 0x1p10 * rounding}),
+               largest = (std::max)(100 * deviation, 0x1p17 * rounding);
+  for (double factor : {1., 1.5})
+    for (double d = factor * first; d < largest; d *= 2) {
+      const double digit = std::pow(10, std::floor(std::log10(d)) - 1);
+      deviation = std::ceil(d / digit) * digit;
+      std::istringstream(in_short(deviation)) >> deviation; // as it is written
+      const Triangulation_result result = refine_surface(surface, run_options, options);
+      if (!result.outcome.subdivision || is_interrupted())
+        return 0;
+      if (const IT::Straight_mesh mesh = straight_mesh(result, true); mesh.is_good() && mesh.deviation <= deviation)
+        return deviation;
+    }
   return 0;
 }
 

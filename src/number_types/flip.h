@@ -104,7 +104,7 @@ IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, co
   const auto parameters = CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget);
   if constexpr (Traits::Uses_exact_geometry::value)
     if (job.options.refinement) {
-      if (job.options.refinement->criteria.sharp_edge_angle)
+      if (chooses_edges(*job.options.refinement))
         return {}; // it determines which edges are flipped before it, too
       const std::vector<bool> is_constrained =
         first_constraints(triangulation, job, job.options.refinement->is_constrained);

@@ -178,7 +178,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   } catch (const IT::Cancelled_error&) {
     summary.is_cancelled = true;
     summary.report.flips = visitor.flips();
-    if (options.criteria.sharp_edge_angle && visitor.is_flipping()) {
+    if (chooses_edges(options) && visitor.is_flipping()) {
       outcome.are_flips_cancelled = true;
       outcome.report.status = IT::Flip_status::BUDGET_EXHAUSTED;
     }

@@ -14,6 +14,7 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <cmath>
 #include <vector>
 
 namespace idt {
@@ -28,6 +29,12 @@ inline auto edge_flags(const std::vector<bool>& flags)
   using CGAL::Intrinsic_triangulations::Edge_index;
   return boost::make_function_property_map<Edge_index, bool>(
     [&flags](Edge_index e) { return e.idx() < flags.size() && flags[e.idx()]; });
+}
+
+// Whether refinement itself finds edges that it does not flip.
+inline bool chooses_edges(const Refinement_options& options)
+{
+  return options.criteria.sharp_edge_angle || std::isfinite(options.criteria.maximum_deviation);
 }
 
 // Called after the flips; refines if they found a Delaunay triangulation.

@@ -244,7 +244,7 @@ TEST_F(Refine_command, names_constraints_that_do_not_fit)
     {"zero one\n", "expected are two vertices"},
     {"face,vertex_0\n0,1\n", "line 2: expected are a face, three vertices"},
     {"face,vertex_0\n0,0,2,1,0,0,0\n", "the coordinates are not positive"},
-    {"face,vertex_0\n0,0,2,1,0.5,0.5,0\n0,0,2,1,0.25,0.75,0\n", "crossed a second time"},
+    {"face,vertex_0\n0,0,2,1,0.5,0.2,0.3\n0,3,2,4,0.2,0.3,0.5\n", "do not lie in one face"},
     {"face,vertex_0\n0,0,5,1,0.5,0.5,0\n", "no edge joins vertex 0 and vertex 5"}};
   for (const auto& [text, message] : files) {
     write("c.csv", text);
@@ -485,19 +485,19 @@ TEST_F(Refine_command, makes_a_surface_of_a_splinter)
   }
 }
 
-// Near the tip of a flattened cone, faces are left that are farther away.
+// The border of a flattened cone is narrower than the deviation.
 TEST_F(Refine_command, names_a_deviation_that_suffices)
 {
   std::ostringstream cone;
   cone << "OFF\n13 12 0\n";
   for (int i = 0; i < 12; ++i)
-    cone << std::setprecision(17) << std::cos(std::acos(-1.) * i / 6) << ' ' << 0.1 * std::sin(std::acos(-1.) * i / 6)
+    cone << std::setprecision(17) << std::cos(std::acos(-1.) * i / 6) << ' ' << 0.02 * std::sin(std::acos(-1.) * i / 6)
          << " 0\n";
-  cone << "0 0 4\n";
+  cone << "0 0 0.3877\n";
   for (int i = 0; i < 12; ++i)
     cone << "3 " << i << ' ' << (i + 1) % 12 << " 12\n";
   write("cone.off", cone.str());
-  Command_run run = idt("refine cone.off --maximum-deviation 0.05 --stats s.json");
+  Command_run run = idt("refine cone.off --maximum-deviation 0.1 --stats s.json");
   ASSERT_EQ(run.status, 4);
   const double named = stats()["flattened"]["sufficient_deviation"];
   EXPECT_TRUE(contains(run.err, " suffices, as was tried")) << run.err;
@@ -590,6 +590,7 @@ TEST_F(Refine_command, keeps_edges_whole)
       return std::minmax(row[0], row[1]) == std::minmax(6., 7.);
     });
   };
+  write("w.csv", "\xef\xbb\xbf" + content(folder_ / "w.csv")); // a byte order mark
   ASSERT_EQ(idt(options + "--keep-whole w.csv").status, 0);
   EXPECT_TRUE(has_edge());
   EXPECT_EQ(stats()["kept_edges"], 2);
@@ -604,6 +605,59 @@ TEST_F(Refine_command, keeps_edges_whole)
   EXPECT_EQ(idt(options + "--keep-whole border --remove-flat-vertices").status, 0);
 }
 
+// A narrow strip has small angles between whole edges, for any deviation.
+TEST_F(Refine_command, says_that_whole_edges_are_the_reason)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 0.3 0\n0 0.3 0\n3 0 1 2\n3 0 2 3\n");
+  const Command_run run = idt("refine strip.off --keep-whole border --maximum-deviation 1e-3");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "fewer --keep-whole edges leave more room")) << run.err;
+}
+
+// A link to a file that does not exist yet.
+TEST_F(Refine_command, does_not_write_two_results_to_one_file)
+{
+  write_kite("kite.off");
+  std::filesystem::create_symlink("new.csv", folder_ / "link.csv");
+  EXPECT_EQ(idt("refine kite.off --points new.csv --edges link.csv").status, 2);
+  EXPECT_EQ(idt("refine kite.off --points new.csv --edges other.csv").status, 0);
+}
+
+// Folds are kept before the first flip: otherwise many vertices are needed beside them.
+TEST_F(Refine_command, follows_folds_of_spiky_cones)
+{
+  std::ostringstream cone;
+  cone << "OFF\n13 12 0\n" << std::setprecision(17);
+  for (int i = 0; i < 12; ++i)
+    cone << std::cos(std::acos(-1.) * i / 6) << ' ' << 0.02 * std::sin(std::acos(-1.) * i / 6) << " 0\n";
+  cone << "0 0 4\n";
+  for (int i = 0; i < 12; ++i)
+    cone << "3 " << i << ' ' << (i + 1) % 12 << " 12\n";
+  write("cone.off", cone.str());
+  for (const char* deviation : {"0.05", "1e-3", "1e-6"}) {
+    const Command_run run = idt(std::string("refine cone.off --stats s.json --maximum-deviation ") + deviation);
+    EXPECT_EQ(run.status, 0) << deviation << run.err;
+    EXPECT_LT(stats()["inserted"].get<int>(), 3000) << deviation;
+  }
+}
+
+// As coordinates are rounded, nothing is as near as that.
+TEST_F(Refine_command, names_a_deviation_above_rounding)
+{
+  write("cone.off", "OFF\n4 3 0\n1 0 0\n-0.4 0.8 0\n-0.4 -0.9 0\n0 0 40\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  for (const char* deviation : {"1e-15", "1e-20"}) {
+    Command_run run = idt(std::string("refine cone.off --stats s.json --maximum-deviation ") + deviation);
+    ASSERT_EQ(run.status, 4);
+    const double named = stats()["flattened"]["sufficient_deviation"];
+    EXPECT_GT(named, 0);
+    EXPECT_LT(named, 1e-8);
+    std::ostringstream text;
+    text << std::setprecision(17) << named;
+    run = idt("refine cone.off --maximum-deviation " + text.str());
+    EXPECT_EQ(run.status, 0) << run.err;
+  }
+}
+
 TEST_F(Refine_command, takes_sizes_from_a_table)
 {
   write("sheet.off", sheet(4));
@@ -616,6 +670,9 @@ TEST_F(Refine_command, takes_sizes_from_a_table)
     if (row[0] == 0 || row[1] == 0)
       at_corner = (std::max)(at_corner, row[2]);
   EXPECT_LT(at_corner, 0.06);
+  write("sizes_by_spreadsheet.csv", "\xef\xbb\xbfvertex,size\n0,0.05\n");
+  ASSERT_EQ(idt("refine sheet.off --size-map sizes_by_spreadsheet.csv --stats s.json").status, 0);
+  EXPECT_EQ(stats()["vertices"], vertices);
   ASSERT_EQ(idt("refine sheet.off --size-map sizes.csv --size-gradation 1 --stats s.json").status, 0);
   EXPECT_LT(stats()["vertices"], vertices);
   for (const auto& [table, message] :

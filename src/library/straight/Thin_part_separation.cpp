@@ -349,6 +349,8 @@ bool Thin_part_merger::replace_by_rod(const std::vector<std::uint32_t>& piece)
         if (length(from, v) > length(from, *end))
           *end = v;
   }
+  if (!(length(first, last) < 0x1p16 * maximum_deviation_))
+    return false; // that would be too many triangles
   const Point p = map_.points()[first], q = map_.points()[last];
   for (double radius = maximum_deviation_ * 0.7; radius > maximum_deviation_ / 8; radius *= 0.7) {
     const auto [points, triangles] = rod_around(p, q, radius);
