@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <string>
@@ -651,6 +652,18 @@ TEST(Straight_mesh, is_refined_for_tiny_deviations)
     EXPECT_GT(t.length(e), 1e-6);
   const IT::Common_subdivision subdivision(t);
   EXPECT_EQ(subdivision.intrinsic().number_of_vertices(), t.connectivity().number_of_vertices());
+}
+
+// Vertices at the ends of folds that are kept count, too.
+TEST(Straight_mesh, has_no_more_vertices_than_are_allowed)
+{
+  const Model pyramid{{{0.005, 0.005, 1}, {0, 0, 0}, {0.01, 0, 0}, {0.01, 0.01, 0}, {0, 0.01, 0}},
+                      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}}};
+  for (std::uint64_t maximum : {0, 1, 2, 3, 10}) {
+    Triangulation t = pyramid.triangulation();
+    IT::refine_Delaunay(t, CGAL::parameters::maximum_deviation(1e-6).maximum_number(maximum));
+    EXPECT_LE(t.connectivity().number_of_vertices(), pyramid.points.size() + maximum);
+  }
 }
 
 // With no common corner, with one, and with a common edge.
