@@ -163,10 +163,15 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
     const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
     const auto input_surface = geometry.input_surface();
     IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(), *input_surface);
+    IT::internal::Double_double_metric metric(*input_surface);
+    const IT::internal::Unfolding<IT::internal::Double_double_metric> unfolding(t.connectivity(),
+                                                                                geometry.correspondence(), metric);
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
-      const auto decision = exact_fallback.sign_of_cotangents(IT::internal::corners_beside(t.connectivity(), e));
+      const IT::internal::Two_corners corners = IT::internal::corners_beside(t.connectivity(), e);
+      const auto decision =
+        exact_fallback.sign_of_cotangents(corners, IT::internal::unfolded_corners(unfolding, corners));
       EXPECT_EQ(decision.stage, IT::Stage::ALGEBRAIC);
       EXPECT_EQ(decision.sign, CGAL::sign(t.cotangent_weight(e)));
       ++number_of_signs[std::size_t(1 + decision.sign)];
