@@ -82,7 +82,7 @@ private:
   using Gain = std::pair<int, double>; // how many thin triangles vanish, and the factor of the smallest angle
   static constexpr Gain no_gain{(std::numeric_limits<int>::min)(), 0};
   // A hub of more triangles does not move, so that no step takes long.
-  static constexpr std::size_t most_around = 64;
+  static constexpr std::size_t most_around = 16;
   // The surface in faces, as triangles.
   struct Surface_part
   {

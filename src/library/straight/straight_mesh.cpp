@@ -381,7 +381,7 @@ public:
       };
       if (round == 0 || defects(mesh) < defects(result))
         result = std::move(mesh);
-      if (must_not_cross == before)
+      if (must_not_cross == before || number_of_bad(result, deviation) > 0) // bad triangles count more
         break;
     }
     return result;
