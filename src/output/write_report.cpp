@@ -164,7 +164,7 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
             with_separators(mesh.crossing_triangles.size() - mesh.number_of_new_crossings) +
             " of them where the surface does, which programs that fill volumes refuse (" +
             (mesh.number_of_new_crossings < mesh.crossing_triangles.size() ? "unite its parts before"
-                                                                           : "try a smaller --maximum-deviation") +
+                                                                           : "try another --maximum-deviation") +
             "), the first at " + in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
