@@ -359,23 +359,15 @@ bool takes_any_triangles(const Geodesic_options& options)
 
 Geodesic_result find_path_over(const Triangle_soup& soup, const Geodesic_options& options)
 {
-  IT::Path_on_triangles path;
-  std::vector<std::size_t> stops;
-  for (const auto& [option, text] : stops_of(options))
-    stops.push_back(*Stop(option, text).vertex);
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    IT::Path_on_triangles part = IT::shortest_path_on_triangles(soup.points, soup.triangles, stops[i], stops[i + 1],
-                                                                CGAL::parameters::visitor(&goes_on));
-    if (!path.positions.empty())
-      path.positions.pop_back();
-    path.positions.insert(path.positions.end(), part.positions.begin(), part.positions.end());
-    if (!path.points.empty() && !part.points.empty())
-      path.points.pop_back();
-    path.points.insert(path.points.end(), part.points.begin(), part.points.end());
-    path.length += part.length;
-    path.distance += part.distance;
-    path.is_complete = path.is_complete && part.is_complete;
+  const IT::internal::Points points = IT::internal::copy_points(soup.points);
+  std::vector<IT::internal::Path_stop> stops;
+  for (const auto& [option, text] : stops_of(options)) {
+    const std::size_t v = *Stop(option, text).vertex;
+    IT::internal::require_vertex(v, points.size());
+    stops.push_back({std::uint32_t(v), "vertex " + std::to_string(v)});
   }
+  IT::Path_on_triangles path = IT::internal::path_over_sheets(
+    points, IT::internal::copy_triangles(soup.triangles, points.size()), stops, CGAL::parameters::visitor(&goes_on));
   Geodesic_result curve;
   curve.length = path.length;
   curve.distance = path.distance;

@@ -263,17 +263,16 @@ double sufficient_deviation(const Surface& surface, Run_options run_options, con
   const double rounding = coordinate_rounding(surface),
                first = (std::max)({suggestion, 2 * deviation, 0x1p10 * rounding}),
                largest = (std::max)(100 * deviation, 0x1p17 * rounding);
-  for (double factor : {1., 1.5})
-    for (double d = factor * first; d < largest; d *= 2) {
-      const double digit = std::pow(10, std::floor(std::log10(d)) - 1);
-      deviation = std::ceil(d / digit) * digit;
-      std::istringstream(in_short(deviation)) >> deviation; // as it is written
-      const Triangulation_result result = refine_surface(surface, run_options, options);
-      if (!result.outcome.subdivision || is_interrupted())
-        return 0;
-      if (const IT::Straight_mesh mesh = straight_mesh(result, true); mesh.is_good() && mesh.deviation <= deviation)
-        return deviation;
-    }
+  for (double d = first; d < largest; d *= 2) {
+    const double digit = std::pow(10, std::floor(std::log10(d)) - 1);
+    deviation = std::ceil(d / digit) * digit;
+    std::istringstream(in_short(deviation)) >> deviation; // as it is written
+    const Triangulation_result result = refine_surface(surface, run_options, options);
+    if (!result.outcome.subdivision || is_interrupted())
+      return 0;
+    if (const IT::Straight_mesh mesh = straight_mesh(result, true); mesh.is_good() && mesh.deviation <= deviation)
+      return deviation;
+  }
   return 0;
 }
 

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -179,6 +180,34 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
   }
   for (int n : number_of_signs)
     EXPECT_GT(n, 0);
+}
+
+// Where both areas are zero, so is the number, whatever the angles are. Only if both are pi, the edge is not Delaunay.
+TEST(Exact_stages, flat_faces_are_told_by_their_angles)
+{
+  // Edge 0-1 from 0 to 4, and the third corners.
+  const auto sign = [](double x, double y) {
+    const std::vector<std::array<double, 3>> points{{0, 0, 0}, {4, 0, 0}, {x, 0, 0}, {y, 0, 0}};
+    const Triangulation t(
+      IT::make_Delta_complex_from_triangles(4, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 0, 3}}),
+      points);
+    const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
+    const auto surface = geometry.input_surface();
+    IT::internal::Double_double_metric metric(*surface);
+    const IT::internal::Unfolding<IT::internal::Double_double_metric> unfolding(t.connectivity(),
+                                                                                geometry.correspondence(), metric);
+    for (IT::Edge_index e : t.connectivity().edges())
+      if (!t.connectivity().is_border(e)) {
+        const IT::internal::Two_corners corners = IT::internal::corners_beside(t.connectivity(), e);
+        return IT::internal::Exact_fallback(t.connectivity(), geometry.correspondence(), *surface)
+          .sign_of_cotangents(corners, IT::internal::unfolded_corners(unfolding, corners))
+          .sign;
+      }
+    throw std::logic_error("no edge has two faces");
+  };
+  EXPECT_EQ(sign(1, 2), CGAL::NEGATIVE);
+  EXPECT_EQ(sign(1, 6), CGAL::ZERO);
+  EXPECT_EQ(sign(5, 6), CGAL::ZERO);
 }
 
 // Optionally, Delaunay edges are flipped, too: then the hinge may have no other diagonal.

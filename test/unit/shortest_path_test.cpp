@@ -758,7 +758,7 @@ TEST(Shortest_path_on_triangles, refuses_what_has_no_path)
 {
   const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 0, 0}, {4, 0, 0}, {3, 1, 0}, {9, 9, 9}};
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {3, 4, 5}};
-  for (std::size_t target : {4, 6, 7})
+  for (std::size_t target : {std::size_t(4), std::size_t(6), std::size_t(7), std::size_t(1) << 32})
     EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, 0, target), IT::Invalid_argument_error) << target;
   const IT::Path_on_triangles none = IT::shortest_path_on_triangles(points, triangles, 2, 2);
   EXPECT_EQ(none.positions.size(), 1u);

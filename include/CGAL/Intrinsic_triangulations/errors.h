@@ -171,12 +171,13 @@ public:
 namespace internal {
 
 // Throws unless there is such a vertex among n.
-inline void require_vertex(Vertex_index v, std::size_t n)
+inline void require_vertex(std::size_t v, std::size_t n)
 {
-  if (!(v.idx() < n))
-    throw Invalid_argument_error("there is no vertex " + std::to_string(v.idx()) + ": there are " + std::to_string(n) +
+  if (!(v < n))
+    throw Invalid_argument_error("there is no vertex " + std::to_string(v) + ": there are " + std::to_string(n) +
                                  " vertices, counted from 0");
 }
+inline void require_vertex(Vertex_index v, std::size_t n) { require_vertex(std::size_t(v.idx()), n); }
 
 // Throws for a contradiction in the file of a triangulation.
 [[noreturn]] inline void throw_not_a_triangulation(const char* kind, std::size_t element, const std::string& what)

@@ -225,7 +225,7 @@ Path_on_triangles shortest_path_on_triangles(const PointRange& points, const Tri
   const std::vector<internal::Index_triangle> faces = internal::copy_triangles(triangles, places.size());
   std::vector<internal::Path_stop> stops;
   for (std::size_t v : {source, target}) {
-    internal::require_vertex(Vertex_index(Vertex_index::size_type(v)), places.size());
+    internal::require_vertex(v, places.size()); // not yet narrowed
     stops.push_back({std::uint32_t(v), "vertex " + std::to_string(v)});
   }
   return internal::path_over_sheets(places, faces, stops, np);

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/distances/Curve_sources.h>
 
 #include "../gluing/Cut_faces.h"
-#include "coordinates_in_part.h"
+#include "../connectivity/checked_coordinates.h"
 #include "plane_vectors.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -94,12 +95,12 @@ private:
 
   Surface_point checked(Surface_point p) const
   {
-    if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) ||
-        !are_of_a_point(p.coordinates))
+    const std::optional<Coordinates> coordinates = checked_coordinates(p.coordinates);
+    if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) || !coordinates)
       throw Invalid_point_error("a point of source " + std::to_string(number_) +
                                 " does not lie on the surface: it needs a face, and coordinates that are finite, not "
                                 "negative and not all zero");
-    p.coordinates = on_near_edges(p.coordinates);
+    p.coordinates = on_near_edges(*coordinates);
     return p;
   }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Divided_triangles.h>
 
+#include "../connectivity/checked_coordinates.h"
 #include "coordinates_in_part.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,10 +121,11 @@ Point_in_triangle checked_point(const Point_in_triangle& p, std::size_t number_o
   if (p.triangle >= number_of_triangles)
     throw Invalid_point_error("there is no triangle " + std::to_string(p.triangle) + ": there are " +
                               std::to_string(number_of_triangles) + ", counted from 0");
-  if (!are_of_a_point(p.coordinates))
+  const std::optional<std::array<double, 3>> coordinates = checked_coordinates(p.coordinates);
+  if (!coordinates)
     throw Invalid_point_error("the barycentric coordinates of a point in triangle " + std::to_string(p.triangle) +
                               " have to be finite and not negative, and one of them positive");
-  return {p.triangle, on_near_edges(p.coordinates)};
+  return {p.triangle, on_near_edges(*coordinates)};
 }
 
 Point_in_triangle vertex_below_cover(const Tufted_cover& cover, const Points& points,

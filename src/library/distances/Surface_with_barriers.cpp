@@ -12,11 +12,13 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
+#include "../connectivity/checked_coordinates.h"
 #include "coordinates_in_part.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,11 +113,11 @@ std::vector<Surface_point> Surface_with_barriers::on_input(const std::vector<Sur
 
 Surface_point Surface_with_barriers::checked(const Surface_point& p) const
 {
-  if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) ||
-      !internal::are_of_a_point(p.coordinates))
+  const std::optional<Coordinates> coordinates = internal::checked_coordinates(p.coordinates);
+  if (p.halfedge.idx() >= input_.number_of_halfedges() || input_.is_border(p.halfedge) || !coordinates)
     throw Invalid_point_error("a point of a source does not lie on the surface: it needs a face, and coordinates that "
                               "are finite, not negative and not all zero");
-  return {p.halfedge, internal::on_near_edges(p.coordinates)};
+  return {p.halfedge, internal::on_near_edges(*coordinates)};
 }
 
 // The coordinates of the corners of a triangle, relative to a halfedge of its face.

@@ -16,18 +16,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether they are those of a point of a face.
-inline bool are_of_a_point(const std::array<double, 3>& coordinates)
-{
-  double sum = 0;
-  bool result = true;
-  for (double x : coordinates) {
-    result = result && x >= 0 && x <= 0x1p500;
-    sum += x;
-  }
-  return result && sum > 0x1p-500;
-}
-
 inline double determinant(const std::array<double, 3>& p, const std::array<double, 3>& q,
                           const std::array<double, 3>& r)
 {

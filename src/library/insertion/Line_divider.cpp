@@ -109,13 +109,10 @@ std::optional<Plane_vector> Line_divider::coordinates(Vertex_index v, const Face
 // The new vertex at a point of a halfedge. Both parts of an edge that is kept are.
 Vertex_index Line_divider::split(Halfedge_index h, const Corners& corners)
 {
-  const bool is_kept = edges_.count(complex_.edge(h)) != 0;
-  const Vertex_index from = complex_.source(h), to = complex_.target(h), v = complex_.split_edge(h);
+  const Vertex_index v = complex_.split_edge(h);
   add_place(corners);
-  if (is_kept) {
-    keep(from, v);
-    keep(v, to);
-  }
+  if (edges_.count(complex_.edge(h)) != 0)
+    edges_.insert(complex_.edge(complex_.continuation(h)));
   return v;
 }
 
@@ -199,12 +196,14 @@ void Line_divider::connect(Vertex_index from, Vertex_index to)
     for (const auto& corner : place(end))
       all.insert(corner.first);
   while (from != to) {
-    std::optional<Vertex_index> next;
+    Halfedge_index along;
     for (Halfedge_index h : internal::Halfedges_around(complex_, from)) {
       const Halfedge_index out = complex_.opposite(h);
-      if (complex_.target(out) == to)
-        next = to;
-      if (next || complex_.is_border(out))
+      if (complex_.target(out) == to) {
+        along = out;
+        break;
+      }
+      if (along.is_valid() || complex_.is_border(out))
         continue;
       const Vertex_index a = complex_.target(out), b = complex_.target(complex_.next(out));
       std::set<Vertex_index> corners = all;
@@ -222,7 +221,7 @@ void Line_divider::connect(Vertex_index from, Vertex_index to)
                std::abs(area(way, x)) <= rounding * std::hypot(way[0], way[1]) * std::hypot(x[0], x[1]);
       };
       if (is_along(to_a) || is_along(to_b)) {
-        next = is_along(to_a) ? a : b;
+        along = is_along(to_a) ? out : complex_.opposite(complex_.prev(out));
         continue;
       }
       const double left = area(way, to_a), right = area(way, to_b), t = left / (left - right);
@@ -236,13 +235,14 @@ void Line_divider::connect(Vertex_index from, Vertex_index to)
           crossing.emplace_back(face[i], weights[i]);
       if (crossing.size() < 3)
         continue; // it would leave the face
-      next = split(complex_.next(out), crossing);
+      split(complex_.next(out), crossing);
+      along = complex_.opposite(complex_.prev(out));
       break;
     }
-    if (!next)
+    if (!along.is_valid())
       throw Invalid_point_error("two consecutive points of a line do not lie in one face");
-    keep(from, *next);
-    from = *next;
+    edges_.insert(complex_.edge(along));
+    from = complex_.target(along);
   }
 }
 

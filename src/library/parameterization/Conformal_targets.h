@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 inline std::string shown(double x, int digits = 17)
 {
   std::ostringstream os;
+  os.imbue(std::locale::classic());
   os.precision(digits);
   os << x;
   return os.str();

@@ -9,11 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -42,54 +44,28 @@ void Space_box::add(const Space_box& other)
   }
 }
 
-Box_tree::Box_tree(std::vector<Space_box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
+Box_tree::Box_tree(std::vector<Space_box> boxes) : boxes_(std::move(boxes))
 {
-  std::iota(order_.begin(), order_.end(), 0u);
-  if (!order_.empty())
-    build(0, order_.begin(), order_.end());
+  std::vector<Numbered_box> numbered;
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+    numbered.emplace_back(enlarged(boxes_[i], 0), i);
+  tree_ = {numbered.begin(), numbered.end()}; // packed
 }
 
-void Box_tree::build(std::size_t node, Numbers::iterator begin, Numbers::iterator end)
+Box_tree::Box Box_tree::enlarged(const Space_box& box, double distance)
 {
-  nodes_.resize((std::max)(nodes_.size(), node + 1));
-  Space_box box = boxes_[*begin];
-  std::for_each(begin, end, [&](std::uint32_t i) { box.add(boxes_[i]); });
-  nodes_[node] = box;
-  if (end - begin == 1)
-    return;
-  std::size_t axis = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis])
-      axis = i;
-  const Numbers::iterator middle = begin + (end - begin) / 2;
-  std::nth_element(begin, middle, end, [&](std::uint32_t i, std::uint32_t k) {
-    return boxes_[i].low[axis] + boxes_[i].high[axis] < boxes_[k].low[axis] + boxes_[k].high[axis];
-  });
-  build(2 * node + 1, begin, middle);
-  build(2 * node + 2, middle, end);
+  const auto& [low, high] = std::tie(box.low, box.high);
+  return {{low[0] - distance, low[1] - distance, low[2] - distance},
+          {high[0] + distance, high[1] + distance, high[2] + distance}};
 }
 
 std::vector<std::uint32_t> Box_tree::near(const Space_box& box, double distance) const
 {
-  Numbers result;
-  if (!order_.empty())
-    collect(0, 0, order_.size(), box, distance, result);
+  std::vector<std::uint32_t> result;
+  tree_.query(boost::geometry::index::intersects(enlarged(box, distance)),
+              boost::make_function_output_iterator([&](const Numbered_box& found) { result.push_back(found.second); }));
   std::sort(result.begin(), result.end());
   return result;
-}
-
-void Box_tree::collect(std::size_t node, std::size_t begin, std::size_t end, const Space_box& box, double distance,
-                       Numbers& result) const
-{
-  if (!box.is_near(nodes_[node], distance))
-    return;
-  if (end - begin == 1) {
-    result.push_back(order_[begin]);
-    return;
-  }
-  const std::size_t middle = begin + (end - begin) / 2;
-  collect(2 * node + 1, begin, middle, box, distance, result);
-  collect(2 * node + 2, middle, end, box, distance, result);
 }
 
 namespace {

@@ -8,9 +8,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_NEARNESS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_NEARNESS_H
 
+#include <boost/geometry/algorithms/intersects.hpp> // the tree needs it with Boost 1.83
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -37,15 +43,13 @@ public:
   const Space_box& box(std::uint32_t number) const { return boxes_[number]; }
 
 private:
-  using Numbers = std::vector<std::uint32_t>;
+  using Box = boost::geometry::model::box<boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>>;
+  using Numbered_box = std::pair<Box, std::uint32_t>;
 
-  void build(std::size_t node, Numbers::iterator begin, Numbers::iterator end);
-  void collect(std::size_t node, std::size_t begin, std::size_t end, const Space_box& box, double distance,
-               Numbers& result) const;
+  static Box enlarged(const Space_box& box, double distance);
 
   std::vector<Space_box> boxes_;
-  Numbers order_;                // halves of it are the children of a node, down to single boxes
-  std::vector<Space_box> nodes_; // the children of the k-th one are 2k + 1 and 2k + 2
+  boost::geometry::index::rtree<Numbered_box, boost::geometry::index::quadratic<16>> tree_;
 };
 
 // Whether each point of the triangles is within a distance of one of the others. For this, triangles are divided, down
