@@ -55,6 +55,15 @@ std::string type_name(const CLI::Option& option)
   return name.substr(0, name.find(':'));
 }
 
+// What --help shows after the name of an option: the type or the words to choose from, and the default.
+std::string value(const CLI::Option& option)
+{
+  const std::string name = option.get_type_name(), standard = option.get_default_str();
+  const std::size_t words = name.find(":{");
+  return (words == std::string::npos ? type_name(option) : name.substr(words + 1)) +
+         (standard.empty() ? "" : '=' + standard);
+}
+
 void write_literally(std::ostream& os, const std::string& text)
 {
   if (!text.empty())
@@ -78,7 +87,7 @@ void write_manual_page(std::ostream& os, const CLI::App& app)
       for (const CLI::Option* option : options(*command, are_positional)) {
         os << ".TP\n\\fB" << escaped(option->get_name(are_positional, !are_positional)) << "\\fR";
         if (!are_positional && option->get_items_expected_max() > 0)
-          os << " \\fI" << escaped(type_name(*option)) << "\\fR";
+          os << " \\fI" << escaped(value(*option)) << "\\fR";
         os << '\n' << escaped(option->get_description()) << '\n';
       }
     write_literally(os, command->get_footer());
