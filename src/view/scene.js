@@ -84,7 +84,7 @@ class Picture {
         this.path.add(with_hidden_parts(make_points([last], path_colour, 11)));
     }
     if (marks.length > 0)
-      this.scene.add(this.places = with_hidden_parts(make_points(marks, highlight_colour, 9)));
+      this.scene.add(this.places = Object.assign(make_points(marks, highlight_colour, 9, { depthTest: false }), { renderOrder: 3 }));
     this.on_plane = new THREE.Group(); // what is drawn there alone
     if (page.has_plane) {
       this.on_plane.add(make_points(points_of(read_floats("plane-marks")), highlight_colour, 9));
