@@ -134,7 +134,8 @@ public:
       forget(complex, around.ji);
     };
     try {
-      if (!find(around.ij) || !find(around.ji) ||
+      // Repeated flips may take the place of all faces while the second one is laid out.
+      if (!find(around.ij) || !find(around.ji) || !find(around.ij) ||
           !join(complex, size_of_plane(around.ij) <= size_of_plane(around.ji) ? around.ij : around.ji))
         return forget_both();
       flip_in_plane(around);
