@@ -157,6 +157,32 @@ TEST(Straight_corner, bounds_in_doubles_hold)
   EXPECT_FALSE(IT::internal::straight_corner_in_doubles(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
 }
 
+// Four points on a circle, up to rounding: the exact sign is that of the sum of products of 100 digits.
+TEST(Straight_corner, signs_in_doubles_are_right)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(0, 1);
+  std::size_t number_of_known = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const double slope = number(random), size = std::ldexp(1, -(n % 8));
+    const auto point = [&](double quarter) {
+      const double angle = 1.570796 * (quarter + number(random)), x = size * std::cos(angle);
+      return Point{1 + x * std::cos(slope), size * std::sin(angle), x * std::sin(slope)};
+    };
+    const Point i = point(0), l = point(1), j = point(2), k = point(3);
+    const auto at_k = IT::internal::straight_corner_in_doubles(i, j, k),
+               at_l = IT::internal::straight_corner_in_doubles(j, i, l);
+    ASSERT_TRUE(at_k && at_l);
+    const Corner exact_k(k, i, j), exact_l(l, j, i);
+    const Number sum = exact_k.product * exact_l.twice_area + exact_l.product * exact_k.twice_area;
+    if (const auto sign = IT::internal::sign_in_doubles({*at_k, *at_l})) {
+      ++number_of_known;
+      EXPECT_EQ(int(*sign), sum.sign()) << n;
+    }
+  }
+  EXPECT_GT(number_of_known, 500);
+}
+
 TEST(Developed_faces, bounds_in_doubles_hold)
 {
   const IT::Delta_complex complex =

@@ -284,7 +284,7 @@ bool Exact_engine::follow_faces(const Hinge_halfedges& around)
   }
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
-  return memory.straight_faces->flip(connectivity_, positions(), e);
+  return memory.straight_faces->flip(connectivity_, positions(), e, is_close_call);
 }
 
 // A face within one face of the input is straight, whichever flips led to it.

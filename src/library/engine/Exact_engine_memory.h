@@ -101,7 +101,7 @@ struct Exact_engine::Memory
     if (found == Answer::NO && log.number_of_unread(Flip_log::NUMBERS) != 0)
       prepare(); // if flips are repeated, the integers may not be needed
     if (!metric.points().empty() && log.is_followed_by(Flip_log::INTEGERS)) {
-      auto room = std::int64_t(crossings_for_flip * number_of_steps(complex));
+      auto room = std::int64_t(16 * (complex.number_of_edges() + log.number_of_unread(Flip_log::NUMBERS)));
       for (Edge_index e : complex.edges())
         if ((room -= correspondence.coordinates().number_of_crossings(e)) < 0) {
           found = Answer::POSITIONS;
@@ -140,14 +140,10 @@ struct Exact_engine::Memory
     if (log.is_followed_by(Flip_log::NUMBERS))
       return false;
     laid_out_quantities += number_of_quantities;
-    if (laid_out_quantities < double(crossings_for_flip * number_of_steps(complex)))
+    if (laid_out_quantities < double(complex.number_of_edges() + 3 * log.number_of_unread(Flip_log::NUMBERS)))
       return false;
-    laid_out_quantities = 0;
+    laid_out_quantities *= -1; // the next time, twice as much
     return true;
-  }
-  std::size_t number_of_steps(const Delta_complex& complex) const
-  {
-    return complex.number_of_edges() + log.number_of_unread(Flip_log::NUMBERS);
   }
   void forget_repeated_flips()
   {
@@ -180,8 +176,6 @@ struct Exact_engine::Memory
   std::atomic<Answer> repeats_flips = Answer::UNKNOWN; // since the last change, as are the next two
   std::atomic<const Repeated_flips*> repeated_flips = nullptr;
   std::unique_ptr<const Repeated_flips> own_repeated_flips;
-  // How many crossings can be laid out while a flip is repeated with positions.
-  static constexpr std::size_t crossings_for_flip = 16;
   double laid_out_quantities = 0;
 
   std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface

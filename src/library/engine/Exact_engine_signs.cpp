@@ -43,8 +43,7 @@ public:
   {
     corners_ = {engine_.unfolded_corner(at_.opposite_to_k, *surface_),
                 engine_.unfolded_corner(at_.opposite_to_l, *surface_)};
-    const Uncertain<Sign> sign = sign_of_cotangents(corners_->k, corners_->l);
-    return is_certain(sign) ? std::make_optional(get_certain(sign)) : std::nullopt;
+    return sign_of_cotangents(corners_->k, corners_->l);
   }
   std::optional<Sign> sign_of_carried_images() const { return std::nullopt; }
   std::optional<Sign> sign_laid_out_anew() const { return std::nullopt; }
@@ -119,16 +118,17 @@ public:
   std::optional<Sign> sign_in_plane() { return engine_.sign_in_plane(at_, *engine_.memory_->straight_faces); }
   bool may_be_laid_out()
   {
-    engine_.prepare();
     const std::size_t number_of_edges = engine_.connectivity_.number_of_edges();
     engine_.memory_->is_close_call.resize(number_of_edges);
     engine_.memory_->is_close_call[e_.idx()] = true;
-    if (!are_straight()) // otherwise flips need not lay out more
-      engine_.memory_->note_question(number_of_edges);
+    if (are_straight()) // flips need not lay out more
+      return true;
+    engine_.prepare();
+    engine_.memory_->note_question(number_of_edges);
     return true;
   }
-  std::optional<Sign> sign_in_doubles() { return sign(true); }
-  std::optional<Sign> sign_in_double_doubles() { return sign(false); }
+  std::optional<Sign> sign_in_doubles() { return internal::sign_in_doubles(lay_out(true)); }
+  std::optional<Sign> sign_in_double_doubles() { return engine_.sign_by_corners(at_, lay_out(false)); }
   std::optional<Sign> sign_of_carried_images() const
   {
     return engine_.sign_by_images(at_, *kept_, *engine_.input_surface(), true);
@@ -139,7 +139,7 @@ public:
       return std::nullopt;
     for (Halfedge_index side : {at_.opposite_to_k, at_.opposite_to_l})
       engine_.memory_->developed_faces.forget(engine_.connectivity_, side);
-    return sign(false);
+    return sign_in_double_doubles();
   }
   std::optional<Exact_decision> sign_by_exact_stages()
   {
@@ -155,11 +155,10 @@ private:
     return engine_.is_straight(engine_.connectivity_.face(at_.opposite_to_k)) &&
            engine_.is_straight(engine_.connectivity_.face(at_.opposite_to_l));
   }
-  std::optional<Sign> sign(bool in_doubles)
+  const Opposite_corners& lay_out(bool in_doubles)
   {
-    kept_ = {engine_.developed_corner(at_.opposite_to_k, in_doubles),
-             engine_.developed_corner(at_.opposite_to_l, in_doubles)};
-    return engine_.sign_by_corners(at_, *kept_);
+    return kept_.emplace(Opposite_corners{engine_.developed_corner(at_.opposite_to_k, in_doubles),
+                                          engine_.developed_corner(at_.opposite_to_l, in_doubles)});
   }
 
   Exact_engine& engine_;
@@ -221,19 +220,18 @@ std::optional<Sign> Exact_engine::sign_in_plane(const Two_corners& at, Straight_
 
 std::optional<Sign> Exact_engine::sign_by_corners(const Two_corners& at, const Opposite_corners& corners) const
 {
-  const Uncertain<Sign> sign = sign_of_cotangents(corners.k, corners.l);
-  if (is_certain(sign))
-    return get_certain(sign);
+  if (const std::optional<Sign> sign = sign_of_cotangents(corners.k, corners.l))
+    return sign;
+  prepare();
   if (is_hinge(connectivity_, at))
     if (const auto weight = weight_by_other_diagonal(at.opposite_to_k, corners); weight && is_certain(weight->sign()))
       return get_certain(weight->sign());
   return std::nullopt;
 }
 
-// The sum of the cotangents opposite to kl = h, if its faces make up two faces of the input with the edge ij. Nearly
-// flat grids are full of such edges. The angles sum to 2π, so sin(i + j) = -sin(k + l), and with w_kl = sin(i + j) /
-// (sin i sin j) it follows that w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points determine
-// it accurately.
+// The sum of the cotangents opposite to kl = h, if its faces make up two faces of the input with the edge ij: in nearly
+// flat grids, often. The angles sum to 2π, so sin(i + j) = -sin(k + l), and with w_kl = sin(i + j) / (sin i sin j) it
+// follows that w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points determine it accurately.
 std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Halfedge_index h,
                                                                             const Opposite_corners& corners) const
 {

@@ -140,7 +140,7 @@ private:
     const auto a = from_u<double>(v_), b = from_u<double>(w), c = from_u<double>(x);
     const double volume = scalar_product(cross_product(a, b), c);
     const double size = sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c);
-    // As in is_clearly_bent(). If a product of two coordinates underflows, its error is multiplied by the third.
+    // It errs by less than 2^-48 of `size`. If two coordinates underflow, this is multiplied by the third.
     if (std::abs(volume) > 0x1p-48 * size + 1e-290 && sum_of_absolute_values(c) < 1e30)
       return volume > 0 ? POSITIVE : NEGATIVE;
     return CGAL::sign(scalar_product(normal(w), from_u<Exact_ring>(x)));

@@ -64,14 +64,18 @@ inline double sum_of_absolute_values(const Vector_3<double>& v)
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
-// Whether a volume is far above its rounding errors, which are less than 2^-48 times the product of the sums of the
-// absolute values.
+// Whether a volume is above its rounding errors, with u = 2^-53 at most 8.01 u of each product of three coordinates:
+// 3 u for the differences, 2 u for the products and 3 u for the sums.
 inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
              c = difference<double>(points, i, l);
-  return std::abs(scalar_product(cross_product(a, b), c)) >
-         0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c) + 1e-290;
+  double volume = 0, sum_of_products = 0;
+  for (std::size_t x = 0, y = 1, z = 2; x < 3; y = z, z = x++) {
+    volume += (a[y] * b[z] - a[z] * b[y]) * c[x];
+    sum_of_products += (std::abs(a[y] * b[z]) + std::abs(a[z] * b[y])) * std::abs(c[x]);
+  }
+  return std::abs(volume) > 0x1.1p-50 * sum_of_products + 1e-290;
 }
 
 // Whether four points are seen to be coplanar without a product, as most coplanar points are: in a plane parallel to
@@ -118,9 +122,7 @@ inline bool is_barely_bent(const Points& points, Vertex_index i, Vertex_index j,
   const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];
   const auto a = split_vector(p, q), b = split_vector(p, r), c = split_vector(p, s);
   const auto minor = [&](int m, int n) { return sum(a[m] * b[n], -(a[n] * b[m])); };
-  const auto size = [](const Split_vector<double>& v) {
-    return std::abs(v[0].hi) + std::abs(v[1].hi) + std::abs(v[2].hi);
-  };
+  const auto size = [](const auto& v) { return std::abs(v[0].hi) + std::abs(v[1].hi) + std::abs(v[2].hi); };
   const double bound = 0x1p-98 * size(a) * size(b) * size(c);
   return std::abs(sum(minor(1, 2) * c[0], minor(2, 0) * c[1], minor(0, 1) * c[2]).hi) > bound && bound > 1e-200;
 }

@@ -88,8 +88,8 @@ public:
     return p == q || lie_in_one_plane(complex, positions, h, p, q);
   }
 
-  // To be called before the flip of the connectivity. Returns whether the new faces are straight.
-  bool flip(const Delta_complex& complex, const Vertex_positions& positions, Edge_index e)
+  // To be called before the flip of the connectivity. Returns whether the new faces are straight; never if `is_bent`.
+  bool flip(const Delta_complex& complex, const Vertex_positions& positions, Edge_index e, bool is_bent = false)
   {
     if (plane_.empty())
       return false;
@@ -97,7 +97,7 @@ public:
     const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
     if (!(*this)(f) && !(*this)(g)) // often, along strips
       return false;
-    if (are_coplanar(complex, positions, h))
+    if (!is_bent && are_coplanar(complex, positions, h))
       return true;
     plane_[f.idx()] = plane_[g.idx()] = none;
     return false;

@@ -44,7 +44,7 @@ public:
   With_error(const Part& x, double error) : part_(x), error_(error) {}
   With_error(double hi, double lo, double error) : part_{hi, lo}, error_(error) {}
   template <class Other, class = std::enable_if_t<is_double && std::is_same<Other, Double_double>::value>>
-  explicit With_error(const With_error<Other>& x) : part_(x.hi()), error_(2 * (std::abs(x.lo()) + x.error()))
+  explicit With_error(const With_error<Other>& x) : part_(x.hi()), error_(1.01 * (std::abs(x.lo()) + x.error()))
   {}
 
   static With_error difference(double a, double b) { return {Part::difference(a, b), 0}; }
