@@ -32,7 +32,7 @@ bool are_straight_triangles_good(const Triangulation_result& result)
     return true;
   const double maximum = result.options.refinement->criteria.maximum_deviation;
   return result.straight->is_surface() && result.straight->deviation <= maximum &&
-         (std::isinf(maximum) || result.straight->has_good_angles());
+         (std::isinf(maximum) || result.straight->is_good());
 }
 
 // The text before "Delaunay", which holds at every moment of a refinement.
@@ -74,11 +74,17 @@ std::string describe_straight_triangles(const Triangulation_result& result)
     text += "are no surface: " + message(mesh);
   else if (!(mesh.deviation <= maximum))
     text += "are up to " + in_short(mesh.deviation) + " away from the surface, at " + in_short(mesh.deviation_place);
-  else
+  else if (!mesh.has_good_angles())
     text += "have angles below 10 degrees in " +
             counted(mesh.thin_triangles.size() - mesh.number_of_sharp_corners, "triangle", "triangles") +
             " that are not at corners of kept edges, the first at " +
             in_short(mesh.points[mesh.triangles[mesh.thin_triangles.front()][0]]);
+  else if (!mesh.folded_edges.empty())
+    text += "lie on each other at " + counted(mesh.folded_edges.size(), "edge", "edges") + ", the first at " +
+            in_short(mesh.points[mesh.folded_edges.front()[0]]);
+  else
+    text += "cross where the surface does not, the first at " +
+            in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
   return text + "; " +
          (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
           : mesh.sufficient_deviation > 0

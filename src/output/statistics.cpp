@@ -7,6 +7,8 @@
 #include "input/repair.h"
 #include "output/write_json.h"
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -123,6 +125,35 @@ std::vector<std::string> warnings(const Triangulation_result& result)
   return texts;
 }
 
+// Which region is where.
+Json region_table(const IT::Straight_mesh& mesh)
+{
+  struct Region
+  {
+    std::size_t triangles = 0;
+    double area = 0;
+    CGAL::Bbox_3 box;
+  };
+  std::vector<Region> regions(mesh.number_of_regions);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const auto &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
+    Region& region = regions[mesh.regions[t]];
+    ++region.triangles;
+    region.area += IT::internal::four_areas_3(p, q, r) / 4;
+    for (const auto& x : {p, q, r})
+      region.box += CGAL::Bbox_3(x[0], x[1], x[2], x[0], x[1], x[2]);
+  }
+  Json result = Json::array();
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    result.push_back({{"name", "region_" + std::to_string(i)},
+                      {"triangles", regions[i].triangles},
+                      {"area", regions[i].area},
+                      {"low", {regions[i].box.xmin(), regions[i].box.ymin(), regions[i].box.zmin()}},
+                      {"high", {regions[i].box.xmax(), regions[i].box.ymax(), regions[i].box.zmax()}}});
+  return result;
+}
+
 Json straight_statistics(const IT::Straight_mesh& mesh)
 {
   std::size_t non_manifold_edges = 0;
@@ -131,11 +162,16 @@ Json straight_statistics(const IT::Straight_mesh& mesh)
   return {{"is_surface", mesh.is_surface()},
           {"triangles", mesh.triangles.size()},
           {"regions", mesh.number_of_regions},
+          {"region_table", region_table(mesh)},
           {"lines", mesh.number_of_lines},
           {"merged_vertices", mesh.merged_vertices.size()},
           {"removed_pieces", mesh.number_of_removed_pieces},
           {"rods", mesh.number_of_rods},
+          {"area_of_films", mesh.area_of_films},
           {"new_components", mesh.number_of_new_components},
+          {"can_be_filled", mesh.can_be_filled()},
+          {"folded_edges", mesh.folded_edges.size()},
+          {"minimum_dihedral_angle_degrees", mesh.triangles.empty() ? Json() : Json(mesh.minimum_dihedral_angle)},
           {"crossing_pairs", mesh.crossing_triangles.size()},
           {"new_crossing_pairs", mesh.number_of_new_crossings},
           {"deviation", mesh.deviation},

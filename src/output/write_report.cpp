@@ -156,20 +156,37 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
     text += ", " + counted(mesh.number_of_removed_pieces, "piece", "pieces") + " along others left out";
   if (mesh.number_of_rods > 0)
     text += ", " + counted(mesh.number_of_rods, "wire or point", "wires or points") + " without thickness made rods";
+  if (mesh.area_of_films > 0)
+    text += ", films of area " + in_short(mesh.area_of_films) + " left out, the first at " + in_short(mesh.film_place);
   if (mesh.number_of_new_components > 0)
     text += ", " + counted(mesh.number_of_new_components, "component", "components") +
             " more than the surface has, as thin parts between them vanished";
-  if (!mesh.crossing_triangles.empty())
-    text += ", " + counted(mesh.crossing_triangles.size(), "pair", "pairs") + " of triangles cross, " +
-            with_separators(mesh.crossing_triangles.size() - mesh.number_of_new_crossings) +
-            " of them where the surface does, which programs that fill volumes refuse (" +
-            (mesh.number_of_new_crossings < mesh.crossing_triangles.size() ? "unite its parts before"
-                                                                           : "try another --maximum-deviation") +
-            "), the first at " + in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";
   return text;
+}
+
+// Whether programs that fill volumes take the triangles.
+std::string volume_text(const CGAL::Intrinsic_triangulations::Straight_mesh& mesh)
+{
+  const std::size_t crossings = mesh.crossing_triangles.size(), old = crossings - mesh.number_of_new_crossings;
+  if (mesh.can_be_filled())
+    return "can be filled with tetrahedra" +
+           (mesh.surface.number_of_components > 1
+              ? ": " + counted(mesh.surface.number_of_components, "component", "components") +
+                  ", each is the border of a volume, or of a cavity"
+              : "");
+  return "cannot be filled: " +
+         (!mesh.is_surface()  ? "no surface"
+          : !mesh.is_closed() ? counted(mesh.surface.number_of_border_edges, "edge", "edges") + " on the border"
+          : crossings > 0
+            ? counted(crossings, "pair", "pairs") + " of triangles cross, " + with_separators(old) +
+                " of them where the surface does" +
+                (old > 0 ? " (unite its parts before)" : " (try another --maximum-deviation)") + ", the first at " +
+                in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]])
+            : "triangles lie on each other at " + counted(mesh.folded_edges.size(), "edge", "edges") +
+                ", the first at " + in_short(mesh.points[mesh.folded_edges.front()[0]]));
 }
 
 // Flips and new vertices.
@@ -190,6 +207,8 @@ void write_changes(std::ostream& os, const Triangulation_result& result)
     line(os, "shortest left", "a side of " + text(*outcome.refinement->smallest_left));
   if (result.straight) {
     line(os, "flattened", straight_text(*result.straight));
+    if (!std::isinf(result.options.refinement->criteria.maximum_deviation))
+      line(os, "volume", volume_text(*result.straight));
     line(os, "regions",
          with_separators(result.straight->number_of_regions) + ", " +
            counted(result.straight->number_of_lines, "line", "lines") + " around and between them");

@@ -198,7 +198,11 @@ py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::
   std::vector<std::array<std::int64_t, 2>> crossing;
   for (const auto& [s, t] : mesh.crossing_triangles)
     crossing.push_back({s, t});
+  std::vector<std::array<std::int64_t, 2>> folded;
+  for (const auto& [v, w] : mesh.folded_edges)
+    folded.push_back({v, w});
   py::array triangles = to_numbers(mesh.triangles);
+  const bool can_be_filled = mesh.can_be_filled();
   const std::string defects = message(mesh); // which needs the points
   return py::make_tuple(to_array(std::move(mesh.points)), to_array(numbers_of(mesh.points_of_vertices)),
                         to_array(numbers_of(mesh.merged_vertices)), triangles, to_array(numbers_of(mesh.faces)),
@@ -209,7 +213,8 @@ py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::
                         mesh.sufficient_deviation, to_array(numbers_of(mesh.loops)),
                         to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects,
                         mesh.number_of_removed_pieces, mesh.number_of_rods, mesh.number_of_new_components,
-                        to_array(std::move(crossing)), mesh.number_of_new_crossings);
+                        to_array(std::move(crossing)), mesh.number_of_new_crossings, mesh.area_of_films,
+                        mesh.minimum_dihedral_angle, to_array(std::move(folded)), can_be_filled);
 }
 
 // ------------------------------------------------------------------- points

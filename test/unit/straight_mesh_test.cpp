@@ -547,6 +547,53 @@ TEST(Straight_mesh, makes_one_rod_of_a_wire_that_came_apart)
   EXPECT_LE(farthest_sample(mesh.points, mesh.triangles, wire.points, wire.triangles), mesh.deviation);
 }
 
+// A block with a sheet of material beside it, or with a gap in it: a polygon along which a segment moves. Films go, and
+// the block stays.
+TEST(Straight_mesh, leaves_films_out)
+{
+  for (double end : {2., 0.4}) // beside the block, or in it
+    for (double thickness : {1e-7, 1e-5}) {
+      const double low = 0.5, high = low + thickness;
+      Model model;
+      for (double z : {0., 1.})
+        model.points.insert(
+          model.points.end(),
+          {{0, 0, z}, {1, 0, z}, {1, low, z}, {end, low, z}, {end, high, z}, {1, high, z}, {1, 1, z}, {0, 1, z}});
+      for (std::uint32_t v = 0; v < 8; ++v) {
+        const std::uint32_t w = (v + 1) % 8;
+        model.triangles.push_back({v, w, w + 8});
+        model.triangles.push_back({v, w + 8, v + 8});
+      }
+      const bool is_gap = end < 1;
+      const Triangles side = is_gap ? Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 7}, {3, 4, 7}, {4, 5, 6}, {4, 6, 7}}
+                                    : Triangles{{0, 1, 2}, {0, 2, 5}, {0, 5, 7}, {5, 6, 7}, {2, 3, 4}, {2, 4, 5}};
+      for (const auto& [a, b, c] : side) {
+        model.triangles.push_back({a, c, b});
+        model.triangles.push_back({a + 8, b + 8, c + 8});
+      }
+      constexpr double deviation = 0.01;
+      Triangulation t = model.triangulation();
+      const std::vector<bool> sharp = IT::sharp_edges(t.input(), model.points, 30);
+      const auto is_sharp = boost::make_function_property_map<IT::Edge_index, bool>(
+        [&](IT::Edge_index e) { return e.idx() < sharp.size() && sharp[e.idx()]; });
+      IT::refine_Delaunay(
+        t, CGAL::parameters::minimum_angle(25).maximum_edge_length(0.2).minimum_size(0.02).edge_is_constrained_map(
+             is_sharp));
+      const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), model.points, sharp, 10, deviation);
+      EXPECT_TRUE(mesh.can_be_filled()) << mesh.folded_edges.size() << ' ' << mesh.crossing_triangles.size();
+      EXPECT_TRUE(mesh.is_good()) << message(mesh) << mesh.minimum_angle;
+      EXPECT_EQ(mesh.surface.number_of_components, 1u);
+      EXPECT_NEAR(mesh.area_of_films, std::abs(end - 1), 0.1);
+      EXPECT_LE(mesh.deviation, deviation);
+      EXPECT_LE(farthest_sample(mesh.points, mesh.triangles, model.points, model.triangles), mesh.deviation);
+      double volume = 0;
+      for (const auto& [a, b, c] : mesh.triangles)
+        volume +=
+          IT::internal::scalar_product(mesh.points[a], IT::internal::cross_product(mesh.points[b], mesh.points[c])) / 6;
+      EXPECT_NEAR(volume, 1, 6 * deviation);
+    }
+}
+
 TEST(Straight_mesh, tells_crossings_of_the_surface_from_others)
 {
   Model cubes = box(1, 1);

@@ -35,6 +35,10 @@ struct Straight_mesh
   std::size_t number_of_removed_pieces = 0;  ///< how many connected pieces were left out that lie along others
   /// how many pieces without thickness lie along no others, and became rods that are as thick as the deviation allows
   std::size_t number_of_rods = 0;
+  /// \brief the area of films that are left out: two sheets of the surface that enclose no volume, as both are within
+  /// `maximum_deviation` of the same triangles. Only from there, the triangles may be farther away than `deviation`
+  double area_of_films = 0;
+  std::array<double, 3> film_place{}; ///< a point of the first of them
   /// how many more components there are because parts of the surface that only thin ones join came apart
   std::size_t number_of_new_components = 0;
   /// the faces in order; those with loops are several
@@ -65,6 +69,11 @@ struct Straight_mesh
   /// they are good already, or none was found
   double sufficient_deviation = 0;
 
+  static constexpr double smallest_dihedral_angle = 0.1; ///< in degrees. Programs that fill volumes refuse less
+  double minimum_dihedral_angle = 180; ///< the smallest angle between two triangles at an edge, in degrees
+  /// edges of closed triangles at which this angle is below `smallest_dihedral_angle`, by their ends
+  std::vector<std::array<std::uint32_t, 2>> folded_edges;
+
   /// edges of the triangulation whose ends are the same. Two more points make each a triangle, and divide the faces
   /// beside it
   std::vector<Edge_index> loops;
@@ -81,8 +90,23 @@ struct Straight_mesh
   /// returns whether the only thin triangles are at sharp corners. Complexity: constant.
   bool has_good_angles() const { return thin_triangles.size() == number_of_sharp_corners; }
 
-  /// returns whether they are a surface with good angles. Complexity: constant.
-  bool is_good() const { return is_surface() && has_good_angles(); }
+  /// returns whether the triangles have no border. Complexity: constant.
+  bool is_closed() const { return surface.number_of_border_edges == 0; }
+
+  /// \brief returns whether they are closed, nowhere folded onto themselves, and, as far as that was examined, do not
+  /// cross: programs that fill volumes take them. Complexity: constant.
+  bool can_be_filled() const
+  {
+    return is_surface() && is_closed() && folded_edges.empty() && crossing_triangles.empty();
+  }
+
+  /// \brief returns whether they are a surface with good angles that, if it is closed, is nowhere folded onto itself, and
+  /// crosses itself only where the given one does. Complexity: constant.
+  bool is_good() const
+  {
+    return is_surface() && has_good_angles() &&
+           (!is_closed() || (folded_edges.empty() && number_of_new_crossings == 0));
+  }
 
   /// returns whether the triangles are a manifold without holes that the surface does not have, and no two of them have
   /// the same corners. Complexity: constant.
@@ -113,7 +137,8 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
 /// CAD models have edges and gaps that are shorter than any useful triangle. With `maximum_deviation`, vertices are
 /// merged or moved and edges flipped where that makes thin triangles better, or where edges are shorter than that and
 /// nothing does. Thin tubes are cut and closed, pieces without any thickness that lie along others are left out, and wires
-/// that do not become rods. The triangulation and the surface stay as they are, and the triangles stay closed where the
+/// that do not become rods. Films of closed surfaces, which are nearly flat sheets of material or gaps that are thinner,
+/// are left out. The triangulation and the surface stay as they are, and the triangles stay closed where the
 /// surface is. Distances are measured between both surfaces; no change goes beyond that bound.
 ///
 /// \param subdivision the common subdivision of the triangulation and its input

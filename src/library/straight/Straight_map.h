@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_STRAIGHT_MAP_H
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -44,6 +45,18 @@ inline std::pair<double, std::size_t> smallest_angle(const std::array<std::array
     result = (std::min)(result, {angle * (180 / CGAL_PI), i});
   }
   return result;
+}
+
+// The angle in degrees between the half-planes from the line pq to r and to s: 0 where they lie on each other.
+inline double dihedral_angle(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                             const std::array<double, 3>& r, const std::array<double, 3>& s)
+{
+  const std::array<double, 3> along{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  const auto height = [&](const std::array<double, 3>& x) {
+    return cross_product(along, std::array<double, 3>{x[0] - p[0], x[1] - p[1], x[2] - p[2]});
+  };
+  const std::array<double, 3> m = height(r), n = height(s), across = cross_product(m, n);
+  return std::atan2(std::hypot(across[0], across[1], across[2]), scalar_product(m, n)) * (180 / CGAL_PI);
 }
 
 // Knows where the surface lies below each face, and where its vertices and added ones are.

@@ -247,14 +247,14 @@ bool Thin_part_merger::makes_crossings(const Change& change)
   for (std::size_t i = 0; i < change.triangles.size(); ++i)
     changed[change.triangles[i]] = change.corners[i];
   for (const auto& [s, corners] : changed) {
-    if (is_removed(corners))
+    if (is_removed(corners) || is_of_film_[corners[0]])
       continue;
     std::map<std::uint32_t, Triangle> others = changed;
     for (std::uint32_t f : face_tree_->near(Space_box(map_.corners(corners)), most_))
       for (std::uint32_t t : stand_for_face_[f])
         others.try_emplace(t, mesh_.triangles[t]); // unless it has changed
     for (const auto& [t, there] : others)
-      if (t != s && !is_removed(there) && do_cross(map_.points(), corners, there))
+      if (t != s && !is_removed(there) && !is_of_film_[there[0]] && do_cross(map_.points(), corners, there))
         return true;
   }
   return false;

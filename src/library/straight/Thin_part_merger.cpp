@@ -21,8 +21,8 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
                                    double maximum_deviation, const Progress_function& progress)
   : map_(map), mesh_(mesh), progress_(progress), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
     most_((2 * maximum_deviation - map.bound(maximum_deviation)) * (1 - 1e-9)), at_vertex_(map.points().size()),
-    marked_(map.points().size()), images_(map.points().size()), is_waiting_(mesh.triangles.size()),
-    is_stuck_(mesh.triangles.size())
+    marked_(map.points().size()), images_(map.points().size()), is_of_film_(map.points().size()),
+    is_waiting_(mesh.triangles.size()), is_stuck_(mesh.triangles.size())
 {
   std::iota(images_.begin(), images_.end(), 0u);
   Disjoint_sets components(map.points().size());
@@ -70,6 +70,34 @@ Straight_map::Distance Thin_part_merger::operator()()
     to_look_at_.push_back(t);
     is_waiting_[t] = true;
   }
+  improve_all();
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds && maximum_deviation_ > 0; ++round) {
+    leave_films_out();
+    if (to_look_at_.empty())
+      break;
+    improve_all();
+  }
+  if (maximum_deviation_ > 0)
+    remove_pieces();
+  find_images_of_films();
+  const Straight_map::Distance result = largest_distance();
+  for (std::uint32_t& image : images_)
+    while (image < images_.size() && images_[image] != image)
+      image = images_[image];
+  mesh_.marked_edges.clear();
+  for (std::uint32_t v = 0; v < marked_.size(); ++v)
+    for (std::uint32_t w : marked_[v])
+      if (v < w && number_of_triangles_at(v, w) > 0)
+        mesh_.marked_edges.push_back({v, w});
+  std::sort(mesh_.marked_edges.begin(), mesh_.marked_edges.end());
+  mesh_.marked_edges.erase(std::unique(mesh_.marked_edges.begin(), mesh_.marked_edges.end()), mesh_.marked_edges.end());
+  return result;
+}
+
+// Improves the triangles that are to be looked at, and then others, until nothing helps.
+void Thin_part_merger::improve_all()
+{
   // Where nothing else improves, short sides are contracted nevertheless, which leaves coarser triangles.
   std::vector<std::uint32_t> stuck;
   double fraction = 0;
@@ -88,20 +116,6 @@ Straight_map::Distance Thin_part_merger::operator()()
       is_stuck_[t] = true;
     }
   }
-  if (maximum_deviation_ > 0)
-    remove_pieces();
-  const Straight_map::Distance result = largest_distance();
-  for (std::uint32_t& image : images_)
-    while (image < images_.size() && images_[image] != image)
-      image = images_[image];
-  mesh_.marked_edges.clear();
-  for (std::uint32_t v = 0; v < marked_.size(); ++v)
-    for (std::uint32_t w : marked_[v])
-      if (v < w && number_of_triangles_at(v, w) > 0)
-        mesh_.marked_edges.push_back({v, w});
-  std::sort(mesh_.marked_edges.begin(), mesh_.marked_edges.end());
-  mesh_.marked_edges.erase(std::unique(mesh_.marked_edges.begin(), mesh_.marked_edges.end()), mesh_.marked_edges.end());
-  return result;
 }
 
 bool Thin_part_merger::improve(std::uint32_t t)
@@ -169,10 +183,10 @@ bool Thin_part_merger::is_thin(std::uint32_t t, double angle) const
 bool Thin_part_merger::is_bad(std::uint32_t t) const
 {
   const Triangle& corners = mesh_.triangles[t];
-  return !is_removed(corners) &&
+  return !is_removed(corners) && !is_left_out(t) &&
          (is_thin(t, smallest_angle(map_.corners(corners)).first) ||
           number_of_triangles_at(corners[0], corners[1]) > 2 || number_of_triangles_at(corners[1], corners[2]) > 2 ||
-          number_of_triangles_at(corners[2], corners[0]) > 2);
+          number_of_triangles_at(corners[2], corners[0]) > 2 || is_folded(t));
 }
 
 std::vector<std::uint32_t> Thin_part_merger::triangles_at(std::uint32_t v, std::uint32_t w) const
@@ -255,6 +269,7 @@ std::uint32_t Thin_part_merger::add_vertex(const Point& p)
 {
   at_vertex_.emplace_back();
   marked_.emplace_back();
+  is_of_film_.push_back(false);
   return map_.add_vertex(p);
 }
 

@@ -45,6 +45,7 @@ struct Straight_triangles
 //   around a tube, it cuts the tube and closes both ends.
 // - It removes pieces that then lie beside others, and turns wires that do not into rods. A component that came apart
 //   into neighbors along a line becomes one rod.
+// - It leaves out films: two sheets that lie on each other, and enclose no volume between them.
 //
 // Each triangle stands for faces of the triangulation: each point of it is near one of them, and each of their points is
 // near one of the triangles that stand for that face. At first, a triangle stands for its own face.
@@ -64,6 +65,11 @@ public:
   // The faces that some triangles stand for, in order.
   std::vector<Face_index> faces_of(const std::vector<std::uint32_t>& triangles) const;
   std::size_t number_of_rods() const { return number_of_rods_; }
+  // Whether a triangle is of a film that is left out.
+  bool is_left_out(std::uint32_t t) const { return is_of_film_[mesh_.triangles[t][0]]; }
+  // Of one sheet of the films.
+  double area_of_films() const { return area_of_films_; }
+  const std::array<double, 3>& place_of_film() const { return place_of_film_; }
   // How many more components there are because components of the surface came apart.
   std::size_t number_of_new_components() const;
   // How many edges of the border were replaced by two.
@@ -94,6 +100,7 @@ private:
   static std::uint32_t after(const Triangle& corners, std::uint32_t v);
   bool is_thin(std::uint32_t t, double angle) const;
   bool is_bad(std::uint32_t t) const;
+  void improve_all();
   bool improve(std::uint32_t t);
   bool force(std::uint32_t t);
 
@@ -134,6 +141,30 @@ private:
   bool replace_by_rod(const std::vector<std::uint32_t>& piece);
   void remove_piece(const Change& change, std::size_t number_of_triangles);
 
+  // The triangles s = abc and t = bad at an edge ab.
+  struct Fold
+  {
+    std::uint32_t a, b, c, d, s, t;
+  };
+  std::vector<bool> find_solids() const;
+  void leave_films_out();
+  bool is_folded(std::uint32_t t) const;
+  double area(const Triangle& t) const;
+  bool can_be_left_out(Change& change);
+  std::vector<std::uint32_t> zip(std::uint32_t a, std::uint32_t b);
+  std::vector<std::uint32_t> contract_fold(const Fold& fold);
+  std::vector<std::uint32_t> flatten_fold(const Fold& fold);
+  std::vector<std::uint32_t> zip_to_corner(const Fold& fold);
+  std::vector<std::uint32_t> zip_to_side(const Fold& fold);
+  std::vector<std::uint32_t> zip_to_crossing(const Fold& fold);
+  void leave_out(Change& change, std::uint32_t t, Triangle corners);
+  void change_triangle(Change& change, std::uint32_t t, const Triangle& corners);
+  void divide_triangle(Change& change, std::uint32_t t, std::uint32_t v, std::uint32_t w, std::uint32_t x);
+  void divide_mark(std::uint32_t v, std::uint32_t w, std::uint32_t x);
+  std::vector<std::uint32_t> finish(const Change& change, const Fold& fold, std::uint32_t apex);
+  void merge_vertex(std::uint32_t from, std::uint32_t to);
+  void find_images_of_films();
+
   double length(std::uint32_t v, std::uint32_t w) const;
   std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
   std::vector<std::uint32_t> triangles_at(std::uint32_t v, std::uint32_t w) const;
@@ -161,6 +192,11 @@ private:
   std::optional<Box_tree> face_tree_;                      // of the surface in each face, if nothing must cross
   std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
+  std::vector<bool> is_of_film_;               // whether a vertex is one of triangles that are left out
+  std::vector<bool> is_solid_;                 // for each component, whether films of it may be left out
+  const double near_ = maximum_deviation_ / 2; // what is nearer becomes one where sheets are zipped
+  double area_of_films_ = 0;
+  Point place_of_film_{};
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step
   Gain needed_gain_;                        // more is needed for a step
   double lowest_with_normal_ = 0;           // the height of triangles that must not turn over

@@ -163,13 +163,13 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> Thin_part_merger::pieces() c
 {
   Disjoint_sets sets(map_.points().size());
   for (const Triangle& t : mesh_.triangles)
-    if (!is_removed(t)) {
+    if (!is_removed(t) && !is_of_film_[t[0]]) {
       sets.unite(t[0], t[1]);
       sets.unite(t[1], t[2]);
     }
   std::map<std::uint32_t, std::vector<std::uint32_t>> result;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-    if (!is_removed(mesh_.triangles[t]))
+    if (!is_removed(mesh_.triangles[t]) && !is_left_out(t))
       result[sets.find(mesh_.triangles[t][0])].push_back(t);
   return result;
 }
@@ -232,7 +232,7 @@ void Thin_part_merger::remove_pieces()
   }
   std::vector<std::uint32_t> others;
   for (std::uint32_t t = 0; t < is_other.size(); ++t)
-    if (is_other[t] && !is_removed(mesh_.triangles[t])) {
+    if (is_other[t] && !is_removed(mesh_.triangles[t]) && !is_left_out(t)) {
       others.push_back(t);
       other_boxes.emplace_back(map_.corners(mesh_.triangles[t]));
     }
@@ -294,14 +294,15 @@ void Thin_part_merger::remove_piece(const Change& change, std::size_t number_of_
 }
 
 // Triangles around a segment: rings of three vertices, turned by 60 degrees one after the other. Each angle is above 25
-// degrees. The points at the ends are at most radius / 2 beyond the segment.
+// degrees. Long rods end before the segment does, so that they do not touch what that touches; the points at the ends are
+// at most radius / 2 beyond the segment.
 static std::pair<std::vector<std::array<double, 3>>, std::vector<Straight_triangles::Triangle>>
 rod_around(const std::array<double, 3>& p, const std::array<double, 3>& q, double radius)
 {
   using Point = std::array<double, 3>;
   const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
   const auto number = std::uint32_t(std::ceil(length / (3.5 * radius))) + 1 + (length == 0);
-  const double step = (std::max)(length / (number - 1), radius), begin = (length - step * (number - 1)) / 2;
+  const double step = (std::max)((length - radius) / (number - 1), radius), begin = (length - step * (number - 1)) / 2;
   std::array<Point, 3> axes{};
   std::size_t smallest = 0;
   for (std::size_t i = 0; i < 3; ++i) {

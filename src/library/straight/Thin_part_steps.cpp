@@ -77,6 +77,14 @@ bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
   Change change = contraction(from, to);
   if (!try_to_make(change))
     return false;
+  merge_vertex(from, to);
+  look_at(to, change.triangles);
+  return true;
+}
+
+// The image and the marked edges of a vertex move to another one.
+void Thin_part_merger::merge_vertex(std::uint32_t from, std::uint32_t to)
+{
   if (from < images_.size())
     images_[from] = to;
   for (std::uint32_t w : std::exchange(marked_[from], {})) {
@@ -85,8 +93,6 @@ bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
       marked_[to].push_back(w);
   }
   marked_[to].erase(std::remove(marked_[to].begin(), marked_[to].end(), to), marked_[to].end());
-  look_at(to, change.triangles);
-  return true;
 }
 
 std::uint32_t Thin_part_merger::after(const Triangle& corners, std::uint32_t v)

@@ -48,6 +48,7 @@ public:
     find_lines();
     find_multiple_edges();
     mesh_.surface = examine_polygons(mesh_.points, mesh_.triangles);
+    find_folded_edges();
     const auto edges = complex_.edges();
     const auto is_border = [this](Edge_index e) { return complex_.is_border(e); };
     const std::size_t number =
@@ -136,6 +137,8 @@ private:
     const Straight_map::Distance distance = merger();
     mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
     mesh_.number_of_rods = merger.number_of_rods();
+    mesh_.area_of_films = merger.area_of_films();
+    mesh_.film_place = merger.place_of_film();
     if (maximum_deviation > 0)
       mesh_.number_of_new_components = merger.number_of_new_components();
     number_of_new_border_parts_ += merger.number_of_bent_border_edges();
@@ -144,7 +147,8 @@ private:
     mesh_.deviation_place = distance.place;
     const std::vector<Face_index> input_faces = largest_input_faces();
     for (std::size_t t = 0; t < triangles.triangles.size(); ++t)
-      if (const Triangle& corners = triangles.triangles[t]; corners[0] != corners[1]) {
+      if (const Triangle& corners = triangles.triangles[t];
+          corners[0] != corners[1] && !merger.is_left_out(std::uint32_t(t))) {
         const Face_index f = triangles.faces[t];
         mesh_.triangles.push_back(corners);
         mesh_.faces.push_back(f);
@@ -312,6 +316,27 @@ private:
     mesh_.thin_triangles.insert(mesh_.thin_triangles.end(), sharp_corners.begin(), sharp_corners.end());
   }
 
+  void find_folded_edges()
+  {
+    std::vector<std::array<std::uint32_t, 3>> sides; // with the third corner
+    for (const Triangle& t : mesh_.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [v, w] = std::minmax(t[i], t[(i + 1) % 3]);
+        sides.push_back({v, w, t[(i + 2) % 3]});
+      }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      const auto& [v, w, x] = sides[i];
+      if (sides[i - 1][0] != v || sides[i - 1][1] != w)
+        continue;
+      const auto& p = mesh_.points;
+      const double angle = dihedral_angle(p[v], p[w], p[x], p[sides[i - 1][2]]);
+      mesh_.minimum_dihedral_angle = (std::min)(mesh_.minimum_dihedral_angle, angle);
+      if (angle < Straight_mesh::smallest_dihedral_angle && mesh_.is_closed())
+        mesh_.folded_edges.push_back({v, w});
+    }
+  }
+
   void find_multiple_edges()
   {
     std::vector<std::tuple<std::uint32_t, std::uint32_t, Edge_index>> ends;
@@ -348,7 +373,8 @@ private:
 // Where triangles are no surface, all are bad.
 std::size_t number_of_bad(const Straight_mesh& mesh, double deviation)
 {
-  return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners
+  return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners +
+                                                              mesh.folded_edges.size() + mesh.number_of_new_crossings
                                                           : mesh.triangles.size() + 1;
 }
 
@@ -376,12 +402,10 @@ public:
       const std::vector<bool> before = must_not_cross;
       if (deviation > 0)
         find_crossings(mesh, maker.stands_for(), must_not_cross, part);
-      const auto defects = [deviation](const Straight_mesh& m) {
-        return std::pair(number_of_bad(m, deviation), m.number_of_new_crossings);
-      };
-      if (round == 0 || defects(mesh) < defects(result))
+      const bool has_bad = number_of_bad(mesh, deviation) > mesh.number_of_new_crossings;
+      if (round == 0 || number_of_bad(mesh, deviation) < number_of_bad(result, deviation))
         result = std::move(mesh);
-      if (must_not_cross == before || number_of_bad(result, deviation) > 0) // bad triangles count more
+      if (must_not_cross == before || (round == 0 && has_bad))
         break;
     }
     return result;

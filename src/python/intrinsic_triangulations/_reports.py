@@ -120,3 +120,13 @@ class StraightMesh(NamedTuple):
     those where the surface does not cross itself."""
     new_crossings: int
     """How many of them do not stand for parts of faces of the input that cross."""
+    area_of_films: float
+    """The area of films that were left out: two sheets of a closed surface that enclose no volume. Only from there, the
+    triangles may be farther away than `deviation`."""
+    minimum_dihedral_angle: float
+    """The smallest angle between two triangles at an edge, in degrees."""
+    folded_edges: numpy.ndarray
+    """The edges of closed triangles at which this angle is below 0.1 degrees, by their ends."""
+    can_be_filled: bool
+    """Whether they are closed, nowhere folded onto themselves, and, as far as that was examined, do not cross: programs
+    that fill volumes take them."""
