@@ -641,6 +641,50 @@ TEST_F(Refine_command, follows_folds_of_spiky_cones)
   }
 }
 
+// A thin sheet of material stands on a block, and is left out. Two blocks cross. A sheet has a border.
+TEST_F(Refine_command, says_whether_triangles_can_be_filled)
+{
+  std::ostringstream block;
+  block << "OFF\n16 28 0\n";
+  for (int z : {0, 1})
+    for (const char* p : {"0 0", "1 0", "1 0.5", "2 0.5", "2 0.5000001", "1 0.5000001", "1 1", "0 1"})
+      block << p << ' ' << z << '\n';
+  for (int v = 0; v < 8; ++v)
+    block << "3 " << v << ' ' << (v + 1) % 8 << ' ' << (v + 1) % 8 + 8 << "\n3 " << v << ' ' << (v + 1) % 8 + 8 << ' '
+          << v + 8 << '\n';
+  for (const auto& [a, b, c] : {std::array{0, 1, 2}, {0, 2, 5}, {0, 5, 7}, {5, 6, 7}, {2, 3, 4}, {2, 4, 5}})
+    block << "3 " << a << ' ' << c << ' ' << b << "\n3 " << a + 8 << ' ' << b + 8 << ' ' << c + 8 << '\n';
+  write("block.off", block.str());
+  const std::string options = " --constrain-angle 30 --maximum-deviation 0.01 --stats s.json";
+  Command_run run = idt("refine block.off" + options);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "can be filled with tetrahedra\n") && contains(run.out, "films of area 1")) << run.out;
+  auto straight = stats()["flattened"];
+  EXPECT_EQ(straight["can_be_filled"], true);
+  EXPECT_EQ(straight["folded_edges"], 0);
+  EXPECT_NEAR(straight["minimum_dihedral_angle_degrees"], 90, 1);
+  EXPECT_NEAR(straight["area_of_films"], 1, 0.01);
+  double area = 0;
+  int triangles = 0;
+  for (const auto& region : straight["region_table"]) {
+    area += double(region["area"]);
+    triangles += int(region["triangles"]);
+    EXPECT_LT(region["high"][0], 1.01);
+  }
+  EXPECT_EQ(straight["region_table"].size(), straight["regions"]);
+  EXPECT_EQ(triangles, straight["triangles"]);
+  EXPECT_NEAR(area, 6, 0.1);
+  write("sheet.off", sheet(2));
+  run = idt("refine sheet.off" + options);
+  EXPECT_TRUE(contains(run.out, "cannot be filled: ") && contains(run.out, " edges on the border")) << run.out;
+  EXPECT_EQ(run.status, 0) << run.err;
+  write("crossing.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.1 0.1 0.1\n2 0.1 0.1\n0.1 2 0.1\n0.1 0.1 2\n"
+                        "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n");
+  run = idt("refine crossing.off" + options);
+  EXPECT_TRUE(contains(run.out, "cannot be filled: ") && contains(run.out, "(unite its parts before)")) << run.out;
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
 // As coordinates are rounded, nothing is as near as that.
 TEST_F(Refine_command, names_a_deviation_above_rounding)
 {

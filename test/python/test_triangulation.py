@@ -307,6 +307,19 @@ def test_straight_triangles_of_a_thin_box_are_no_surface():
     assert not mesh.is_surface and len(mesh.loops) > 0 and "faces" in mesh.message
 
 
+def test_straight_triangles_without_films():
+    polygon = [(0, 0), (1, 0), (1, 0.5), (2, 0.5), (2, 0.5000001), (1, 0.5000001), (1, 1), (0, 1)]
+    V = [[x, y, z] for z in (0, 1) for x, y in polygon]
+    F = [[v, (v + 1) % 8, (v + 1) % 8 + 8] for v in range(8)] + [[v, (v + 1) % 8 + 8, v + 8] for v in range(8)]
+    for a, b, c in [[0, 1, 2], [0, 2, 5], [0, 5, 7], [5, 6, 7], [2, 3, 4], [2, 4, 5]]:
+        F += [[a, c, b], [a + 8, b + 8, c + 8]]
+    t = it.Triangulation(V, F)
+    report = t.refine(maximum_deviation=0.01, sharp_edge_angle=30)
+    mesh = t.straight_mesh(it.Triangulation(V, F).sharp_edges(30, report.minimum_size), maximum_deviation=0.01)
+    assert mesh.can_be_filled and len(mesh.folded_edges) == 0 and abs(mesh.area_of_films - 1) < 0.01
+    assert mesh.minimum_dihedral_angle > 80 and mesh.points[mesh.triangles].max() < 1.01
+
+
 def test_straight_triangles_near_the_surface(sphere):
     V, F = sphere
     for deviation in (0.02, 0.005):
