@@ -56,6 +56,7 @@
 #include "validation/report_messages.cpp"
 #include "validation/validate_triangles.cpp"
 #include "straight/Thin_part_changes.cpp"
+#include "straight/Thin_part_films.cpp"
 #include "straight/Thin_part_merger.cpp"
 #include "straight/Thin_part_separation.cpp"
 #include "straight/Thin_part_steps.cpp"
