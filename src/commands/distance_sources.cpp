@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
@@ -273,20 +272,14 @@ private:
     IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(copy);
     for (std::size_t k = 0; k < stops.size(); ++k)
       for (std::size_t i = 0; i + 1 < stops[k].size(); ++i) {
-        if (stops[k][i] == stops[k][i + 1])
-          continue;
-        std::vector<IT::Surface_point>& curve = sources[k].parts.front();
+        IT::internal::Path_over_stops line;
+        line.points.swap(sources[k].parts.front());
         try {
-          const std::size_t path =
-            network.add_path(IT::shortest_path(copy, stops[k][i], stops[k][i + 1], np).halfedges);
-          network.shorten(np);
-          const std::vector<IT::Surface_point> part = IT::geodesic_points(copy, network.halfedges(path));
-          curve.pop_back();
-          curve.insert(curve.end(), part.begin(), part.end());
+          line.append_shortest(copy, network, stops[k][i], stops[k][i + 1], np);
         } catch (const IT::Invalid_argument_error&) {
           fail(curves[k][i + 1], named_.curve_path, no_path);
         }
-        network.rewind();
+        line.points.swap(sources[k].parts.front());
       }
   }
 

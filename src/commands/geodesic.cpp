@@ -165,6 +165,22 @@ std::vector<std::pair<std::string, std::string>> stops_of(const Geodesic_options
   return result;
 }
 
+// As messages call it.
+std::string name_of_stop(const std::string& text)
+{
+  return (text.find(',') == std::string::npos ? "vertex " : "the point ") + text;
+}
+
+// The point of the surface that is nearest to a stop in space.
+IT::Surface_point nearest_point(const IT::Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
+                                const std::string& option, const Stop& stop, std::vector<Snap>& snaps)
+{
+  const IT::Surface_point nearest = IT::locate(complex, points, stop.point);
+  const auto [x, y, z] = IT::point_in_space(complex, points, nearest);
+  snaps.push_back({option, std::hypot(x - stop.point[0], y - stop.point[1], z - stop.point[2])});
+  return nearest;
+}
+
 // The vertex of a stop; for a point in space, a vertex is inserted at the nearest point of the surface.
 IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, const std::string& option,
                         const std::string& text, std::vector<Snap>& snaps)
@@ -174,30 +190,7 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
     return vertex(triangulation, *stop.vertex);
   if (!surface.has_points())
     throw Usage_error(surface.path + " has only lengths, no points: begin and end at vertices");
-  const IT::Surface_point nearest = IT::locate(surface.connectivity, surface.points, stop.point);
-  const auto [x, y, z] = IT::point_in_space(surface.connectivity, surface.points, nearest);
-  snaps.push_back({option, std::hypot(x - stop.point[0], y - stop.point[1], z - stop.point[2])});
-  return IT::vertex_at_point(triangulation, nearest);
-}
-
-using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
-
-// A path in a network, which is shortened.
-void shorten(const Triangulation& triangulation, Network& network, std::size_t path, Geodesic_result& curve)
-{
-  const IT::Geodesic_report report = network.shorten(CGAL::parameters::visitor(&goes_on));
-  curve.report.flips += report.flips;
-  curve.length += network.length(path);
-  if (curve.is_geodesic) {
-    curve.is_geodesic = network.is_geodesic(path);
-    curve.status = name(network.status(path));
-  }
-  const std::vector<IT::Surface_point> points = IT::geodesic_points(triangulation, network.halfedges(path));
-  if (!curve.points.empty() && !points.empty())
-    curve.points.pop_back();
-  curve.points.insert(curve.points.end(), points.begin(), points.end());
-  if (network.status(path) == IT::Geodesic_status::CONTRACTIBLE)
-    curve.vertex = network.contraction(path);
+  return IT::vertex_at_point(triangulation, nearest_point(surface.connectivity, surface.points, option, stop, snaps));
 }
 
 // Calls a function, and names stops as the user does if there is no path from one to the next.
@@ -209,24 +202,6 @@ auto with_names(const std::vector<std::string>& names, std::size_t i, const Func
   } catch (const IT::Invalid_argument_error&) {
     throw IT::Invalid_argument_error("no path leads from " + names[i] + " to " + names[i + 1] +
                                      ": choose two of the same component");
-  }
-}
-
-// From stop to stop; the search for a part flips edges of those before.
-void find_shortest(Triangulation& triangulation, const std::vector<IT::Vertex_index>& stops,
-                   const std::vector<std::string>& names, Geodesic_result& curve)
-{
-  IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
-  Network network(triangulation);
-  curve.distance = 0;
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    if (i > 0)
-      network.rewind();
-    const IT::Shortest_path found = with_names(names, i, [&] {
-      return IT::shortest_path(triangulation, stops[i], stops[i + 1], CGAL::parameters::visitor(&goes_on));
-    });
-    *curve.distance += found.distance;
-    shorten(triangulation, network, network.add_path(found.halfedges), curve);
   }
 }
 
@@ -249,7 +224,7 @@ Geodesic_result find_path(const Geodesic_options& options, const Surface& surfac
   std::vector<IT::Vertex_index> stops;
   std::vector<std::string> names;
   const auto add_stop = [&](const std::string& option, const std::string& text) {
-    names.push_back((text.find(',') == std::string::npos ? "vertex " : "the point ") + text);
+    names.push_back(name_of_stop(text));
     stops.push_back(vertex(surface, triangulation, option, text, curve.snaps));
   };
   add_stop("--from", options.from);
@@ -271,22 +246,35 @@ Geodesic_result find_path(const Geodesic_options& options, const Surface& surfac
     stops.push_back(stops.front());
     names.push_back(names.front());
   }
-  if (options.is_shortest) {
-    find_shortest(triangulation, stops, names, curve);
-    return curve;
-  }
+  const auto np = CGAL::parameters::visitor(&goes_on);
+  if (options.is_shortest)
+    IT::flip_to_Delaunay(triangulation, np);
+  IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
+  IT::internal::Path_over_stops path;
   std::vector<IT::Halfedge_index> start; // along edges
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    const std::vector<IT::Halfedge_index> part =
-      with_names(names, i, [&] { return IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]); });
-    start.insert(start.end(), part.begin(), part.end());
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i)
+    with_names(names, i, [&] {
+      if (options.is_shortest)
+        return path.append_shortest(triangulation, network, stops[i], stops[i + 1], np);
+      const std::vector<IT::Halfedge_index> part = IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]);
+      start.insert(start.end(), part.begin(), part.end());
+    });
+  if (options.is_shortest) {
+    curve.distance = path.distance;
+  } else {
+    const std::size_t p = options.is_closed ? network.add_closed_path(start) : network.add_path(start);
+    for (std::size_t i = 1; !options.is_closed && i < last_via; ++i)
+      network.fix(stops[i]);
+    path.append(triangulation, network, p, np);
+    curve.initial_length = path.initial_length;
+    if (path.status == IT::Geodesic_status::CONTRACTIBLE)
+      curve.vertex = network.contraction(p);
   }
-  Network network(triangulation);
-  const std::size_t p = options.is_closed ? network.add_closed_path(start) : network.add_path(start);
-  for (std::size_t i = 1; !options.is_closed && i < last_via; ++i)
-    network.fix(stops[i]);
-  curve.initial_length = network.length(p);
-  shorten(triangulation, network, p, curve);
+  curve.points = std::move(path.points);
+  curve.length = path.length;
+  curve.flips = path.flips;
+  curve.is_geodesic = path.is_geodesic;
+  curve.status = name(path.status);
   return curve;
 }
 
@@ -350,25 +338,40 @@ IT::Surface_with_barriers with_barriers(const Geodesic_options& options, const S
 // Whether the line can be a path over triangles that are no surface.
 bool takes_any_triangles(const Geodesic_options& options)
 {
-  const auto stops = stops_of(options);
   return !options.direction && !options.is_closed && !options.curve.has_files() && !options.barriers.has_files() &&
-         options.cut_path.empty() && options.view_path.empty() && !options.repair.is_wanted &&
-         std::all_of(stops.begin(), stops.end(),
-                     [](const auto& stop) { return Stop(stop.first, stop.second).vertex.has_value(); });
+         options.cut_path.empty() && options.view_path.empty() && !options.repair.is_wanted;
 }
 
 Geodesic_result find_path_over(const Triangle_soup& soup, const Geodesic_options& options)
 {
+  const auto np = CGAL::parameters::visitor(&goes_on);
   const IT::internal::Points points = IT::internal::copy_points(soup.points);
+  const auto triangles = IT::internal::copy_triangles(soup.triangles, points.size());
+  IT::internal::Divided_triangles divided(points, triangles);
+  std::optional<IT::Tufted_cover> cover;     // where points are looked for
+  std::vector<std::array<double, 3>> places; // of its vertices
+  Geodesic_result curve;
   std::vector<IT::internal::Path_stop> stops;
   for (const auto& [option, text] : stops_of(options)) {
-    const std::size_t v = *Stop(option, text).vertex;
-    IT::internal::require_vertex(v, points.size());
-    stops.push_back({std::uint32_t(v), "vertex " + std::to_string(v)});
+    const Stop stop(option, text);
+    if (stop.vertex) {
+      IT::internal::require_vertex(*stop.vertex, points.size());
+      stops.push_back({std::uint32_t(*stop.vertex), name_of_stop(text)});
+      continue;
+    }
+    if (!cover) {
+      cover = IT::make_tufted_cover(points, triangles,
+                                    CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS).visitor(&goes_on));
+      for (std::uint32_t v : cover->vertex_of)
+        places.push_back(points[v]);
+    }
+    const IT::Surface_point nearest = nearest_point(cover->triangulation.input(), places, option, stop, curve.snaps);
+    stops.push_back(
+      {divided.vertex_at(IT::internal::point_below_cover(*cover, points, triangles, nearest)), name_of_stop(text)});
   }
-  IT::Path_on_triangles path = IT::internal::path_over_sheets(
-    points, IT::internal::copy_triangles(soup.triangles, points.size()), stops, CGAL::parameters::visitor(&goes_on));
-  Geodesic_result curve;
+  IT::Path_on_triangles path = IT::internal::path_over_sheets(divided.points(), divided.triangles(), stops, np);
+  for (IT::Point_in_triangle& p : path.points)
+    p = divided.in_given_triangle(p);
   curve.length = path.length;
   curve.distance = path.distance;
   curve.status = path.is_complete ? "geodesic" : "unfinished";
@@ -490,7 +493,7 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
   command.footer(
     "A path or a closed curve begins along edges, and flips shorten it until it is proven to be\n"
-    "locally shortest. On triangles that are no oriented manifold, a path between vertices is the shortest of all. A "
+    "locally shortest. On triangles that are no oriented manifold, a path is the shortest of all. A "
     "line is followed over the faces, with exact decisions. Vertices are counted from\n"
     "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or\n"
     "shrinks to a point, or a line reached --maximum-faces.\n");
@@ -518,7 +521,9 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
                      "a line instead, in this direction: an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
   command.add_option("--length", options->length, "the length of the line");
-  add_option(command, "--maximum-faces", options->maximum_number_of_faces, "N", "end the line after N faces")
+  need_one_of(
+    add_option(command, "--maximum-faces", options->maximum_number_of_faces, "N", "end the line after N faces"),
+    {"--direction"})
     ->transform(whole_number())
     ->capture_default_str();
   add_option(command, "-o,--output", options->output_path, "F.(obj|csv|ply|vtp)",

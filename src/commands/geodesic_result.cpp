@@ -133,7 +133,7 @@ void write_stats(const std::string& path, const Geodesic_result& result)
     json["distance"] = *result.distance;
     json["is_shortest"] = result.is_shortest();
   }
-  json["flips"] = result.report.flips;
+  json["flips"] = result.flips;
   json["segments"] = result.number_of_segments();
   json["is_on_any_triangles"] = result.is_on_any_triangles;
   json["vertex"] = result.vertex ? nlohmann::ordered_json(result.vertex->idx()) : nlohmann::ordered_json(nullptr);
@@ -167,7 +167,7 @@ void write_report(std::ostream& os, const Geodesic_result& result)
   if (result.is_on_any_triangles)
     os << "\n  triangles taken as they are: the path goes from each face at an edge into all others";
   os << "\n  segments  " << with_separators(result.number_of_segments()) << "\n  flips     "
-     << with_separators(result.report.flips) << "\n  time      " << seconds_text(result.seconds) << '\n';
+     << with_separators(result.flips) << "\n  time      " << seconds_text(result.seconds) << '\n';
 }
 
 } // namespace idt

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -47,7 +48,7 @@ struct Geodesic_result
   std::optional<double> initial_length;         // of paths
   std::optional<double> distance;               // if the shortest was asked for
   double length = 0;
-  CGAL::Intrinsic_triangulations::Geodesic_report report;
+  std::uint64_t flips = 0;
   bool is_geodesic = true, is_closed = false;
   std::string status;
   std::optional<CGAL::Intrinsic_triangulations::Vertex_index> vertex; // to which it shrank or at which it ends

@@ -104,7 +104,7 @@ public:
     return copy.use([&](Triangulation& t) {
       const std::vector<IT::Vertex_index> vertices = vertices_at(t, stops, is_closed);
       if (is_shortest)
-        return to_path(t, shortest(t, vertices, maximum_number));
+        return shortest(t, vertices, maximum_number);
       Network network(t); // of the triangulation with all vertices
       return to_path(t, shortened(t, network, edge_path(t, vertices), is_closed, maximum_number));
     });
@@ -180,12 +180,7 @@ private:
     ~Rewinding() { network.rewind(); }
   };
 
-  // A path as a line on the input.
-  struct Line
-  {
-    std::vector<IT::Surface_point> points;
-    Path path; // without them
-  };
+  using Line = IT::internal::Path_over_stops;
 
   // Stops that are not vertices are inserted.
   std::vector<IT::Vertex_index> vertices_at(Triangulation& t, const std::vector<Stop>& stops, bool is_closed) const
@@ -225,33 +220,18 @@ private:
   }
 
   // From each vertex to the next one.
-  static Line shortest(Triangulation& t, const std::vector<IT::Vertex_index>& vertices, std::uint64_t maximum_number)
+  Path shortest(Triangulation& t, const std::vector<IT::Vertex_index>& vertices, std::uint64_t maximum_number) const
   {
+    const auto np = CGAL::parameters::visitor(&Signal_watch::goes_on);
     IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
     Signal_watch::check();
-    Line result;
-    result.path.distance = 0;
-    result.path.is_geodesic = true;
-    result.path.status = name_of(IT::Geodesic_status::GEODESIC);
     Network network(t);
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-      // It flips edges of the paths before.
-      const IT::Shortest_path found = from_stop(i, [&] {
-        return IT::shortest_path(t, vertices[i], vertices[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
-      });
-      const Line part = shortened(t, network, found.halfedges, false, maximum_number - result.path.flips);
-      *result.path.distance += found.distance;
-      result.path.initial_length += part.path.initial_length;
-      result.path.length += part.path.length;
-      result.path.flips += part.path.flips;
-      if (!part.path.is_geodesic) {
-        result.path.is_geodesic = false;
-        result.path.status = part.path.status;
-      }
-      if (!result.points.empty() && !part.points.empty())
-        result.points.pop_back();
-      result.points.insert(result.points.end(), part.points.begin(), part.points.end());
-    }
+    Line line;
+    line.maximum_number_of_flips = maximum_number;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+      from_stop(i, [&] { line.append_shortest(t, network, vertices[i], vertices[i + 1], np); });
+    Path result = to_path(t, line);
+    result.distance = line.distance;
     return result;
   }
 
@@ -264,25 +244,24 @@ private:
     const Rewinding rewinding{network};
     const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
     Line result;
-    result.path.initial_length = network.length(p);
-    result.path.flips =
-      network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
-    Signal_watch::check();
-    result.path.length = network.length(p);
-    result.path.is_geodesic = network.is_geodesic(p);
-    result.path.status = name_of(network.status(p));
+    result.maximum_number_of_flips = maximum_number;
+    result.append(t, network, p, CGAL::parameters::visitor(&Signal_watch::goes_on));
     if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
       result.points.push_back(at_input_vertex(t, network.contraction(p)));
-    for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
-      result.points.push_back(point);
     return result;
   }
 
-  Path to_path(const Triangulation& t, Line line) const
+  Path to_path(const Triangulation& t, const Line& line) const
   {
+    Path result;
     for (const IT::Surface_point& point : line.points)
-      append(t, point, line.path);
-    return std::move(line.path);
+      append(t, point, result);
+    result.initial_length = line.initial_length;
+    result.length = line.length;
+    result.is_geodesic = line.is_geodesic;
+    result.status = name_of(line.status);
+    result.flips = line.flips;
+    return result;
   }
 
   IT::Surface_point nearest(const Triangulation& t, const std::array<double, 3>& p) const

@@ -158,7 +158,15 @@ TEST_F(Geodesic_command, goes_over_triangles_that_are_no_surface)
   EXPECT_EQ(table[2].substr(0, 8), "2,1,0,4,"); // into the third page
   ASSERT_EQ(idt("geodesic fan.off --from 2 --to 3 -o path.obj").status, 0);
   EXPECT_EQ(lines(content(folder_ / "path.obj")).size(), 4u);
-  for (const char* options : {"--from 2 --to 0,0,0", "--from 2 --to 3 --via 4 --closed", "--from 2 --to 3 --cut c.off",
+  // From a point beside the first page to one on the edge of the second.
+  const Command_run points = idt("geodesic fan.off --from 0.5,0.1,0.5 --to=-0.5,1,0.25 -o path.csv --stats s.json");
+  ASSERT_EQ(points.status, 0) << points.err;
+  const json found = json::parse(content(folder_ / "s.json"));
+  const double x = 0.5 + std::hypot(0.5, 1); // in the plane of both
+  EXPECT_NEAR(found.at("length").get<double>(), std::hypot(x, 0.25), 1e-14);
+  EXPECT_NEAR(found.at("snaps").at(0).at("distance").get<double>(), 0.1, 1e-15);
+  EXPECT_EQ(lines(content(folder_ / "path.csv")).size(), 4u);
+  for (const char* options : {"--from 2 --to 3 --via 4 --closed", "--from 2 --to 3 --cut c.off",
                               "--from 2 --direction 1 --length 1"}) {
     const Command_run refused = idt(std::string("geodesic fan.off ") + options);
     EXPECT_TRUE(refused.status == 3 && contains(refused.err, "--repair")) << options << refused.err;

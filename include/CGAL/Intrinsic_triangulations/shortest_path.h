@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
@@ -27,6 +28,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -267,6 +270,52 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
     h = complex.opposite(h);
   return result;
 }
+
+namespace internal {
+
+// A path over stops, with the reports of all its parts.
+struct Path_over_stops
+{
+  std::vector<Surface_point> points; // on the input
+  double distance = 0;               // the length of the shortest path
+  double initial_length = 0, length = 0;
+  std::uint64_t flips = 0, maximum_number_of_flips = (std::numeric_limits<std::uint64_t>::max)();
+  bool is_geodesic = true;
+  Geodesic_status status = Geodesic_status::GEODESIC;
+
+  // Continues along a path of a network, which is shortened.
+  // \param np the visitor
+  template <class Traits, class NamedParameters>
+  void append(const Intrinsic_triangulation<Traits>& triangulation, Geodesic_path_network<Traits>& network,
+              std::size_t path, const NamedParameters& np)
+  {
+    const std::function<bool()> go_further = go_further_function_of(np);
+    const auto goes_on = [&go_further] { return !go_further || go_further(); };
+    initial_length += network.length(path);
+    flips += network.shorten(parameters::visitor(goes_on).maximum_number(maximum_number_of_flips - flips)).flips;
+    length += network.length(path);
+    is_geodesic = network.is_geodesic(path) && is_geodesic;
+    status = (std::max)(status, network.status(path));
+    const std::vector<Surface_point> part = geodesic_points(triangulation, network.halfedges(path));
+    if (!points.empty() && !part.empty())
+      points.pop_back();
+    points.insert(points.end(), part.begin(), part.end());
+  }
+
+  // Continues along the shortest path to the next stop. As the search for it flips edges, the network forgets others.
+  // \param np those of `shortest_path()`, with its exceptions
+  template <class Traits, class NamedParameters>
+  void append_shortest(Intrinsic_triangulation<Traits>& triangulation, Geodesic_path_network<Traits>& network,
+                       Vertex_index from, Vertex_index to, const NamedParameters& np)
+  {
+    network.rewind();
+    const Shortest_path found = shortest_path(triangulation, from, to, np);
+    distance += found.distance;
+    append(triangulation, network, network.add_path(found.halfedges), np);
+  }
+};
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

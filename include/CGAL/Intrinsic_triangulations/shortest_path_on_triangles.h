@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Geodesic_source.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Divided_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
@@ -175,13 +174,11 @@ Path_on_triangles path_over_sheets(const Points& points, const std::vector<Index
           add(vertex_below_cover(cover, points, triangles, part.flat_edge->face, end.vertex), places[end.vertex.idx()]);
         continue;
       }
-      const std::size_t number =
-        network.add_path(shortest_path(sheets, part.ends[0].vertex, part.ends[1].vertex, np).halfedges);
-      network.shorten(options);
-      length += network.length(number);
-      for (const Surface_point& p : geodesic_points(sheets, network.halfedges(number)))
+      Path_over_stops line;
+      line.append_shortest(sheets, network, part.ends[0].vertex, part.ends[1].vertex, np);
+      length += line.length;
+      for (const Surface_point& p : line.points)
         add_on_cover(p);
-      network.rewind();
     }
     // Where a part was not traced back, another path may be as short.
     result.is_complete = result.is_complete && std::abs(length - distances[i]) <= 1e-9 * distances[i];
