@@ -43,6 +43,7 @@ struct Triangle
   std::array<Corner, 3> corners; // counterclockwise
   Halfedge_index input;          // to which the coordinates refer
   std::uint32_t face;            // of the triangulation
+  bool is_checked = false;       // whether no side was divided when it was looked at
 };
 
 // The faces of the overlay are cut into triangles, and these at their longest sides: until no line can be in them, or
@@ -54,7 +55,8 @@ public:
   Line_tracer(const Common_subdivision& subdivision, const Laid_out_faces& faces, const Waves& waves,
               const Wanted_lines& wanted, const Interruption& interruption)
     : subdivision_(subdivision), faces_(faces), waves_(waves), wanted_(wanted), interruption_(interruption),
-      budget_(subdivision.overlay().number_of_vertices()), ranks_(subdivision.overlay().number_of_vertices(), unknown)
+      budget_(subdivision.overlay().number_of_vertices()), ranks_(subdivision.overlay().number_of_vertices(), unknown),
+      divided_(ranks_.size(), 0)
   {}
 
   std::vector<Traced_line> run()
@@ -213,8 +215,11 @@ private:
     const std::size_t i = longest_side(t);
     const Corner &a = t.corners[i], &b = t.corners[(i + 1) % 3];
     const auto [place, is_new] = middles_.insert({edge(a, b), std::uint32_t(ranks_.size())});
-    if (is_new)
+    if (is_new) {
       ranks_.push_back(unknown);
+      divided_.push_back(pass_);
+      divided_[a.vertex] = divided_[b.vertex] = pass_;
+    }
     const Corner middle = between(a, b, 0.5, place->second);
     Triangle child = t;
     child.corners[(i + 1) % 3] = middle;
@@ -237,20 +242,31 @@ private:
   bool conform()
   {
     bool result = false;
+    ++pass_;
     for (std::size_t i = 0; i < fine_.size();) {
-      const Triangle t = fine_[i];
-      if (middles_.count(edge(t.corners[0], t.corners[1])) + middles_.count(edge(t.corners[1], t.corners[2])) +
-            middles_.count(edge(t.corners[2], t.corners[0])) ==
-          0) {
+      if (!has_divided_side(fine_[i])) {
+        fine_[i].is_checked = true;
         ++i;
         continue;
       }
       result = true;
+      Triangle t = fine_[i];
+      t.is_checked = false;
       fine_[i] = fine_.back();
       fine_.pop_back();
       bisect(t, waves_in(t.face));
     }
     return result;
+  }
+
+  // Most triangles were looked at before, and nothing was divided at their corners since the last pass began.
+  bool has_divided_side(const Triangle& t) const
+  {
+    const auto& [a, b, c] = t.corners;
+    const auto is_recent = [this](const Corner& corner) { return divided_[corner.vertex] + 1 >= pass_; };
+    if (t.is_checked && is_recent(a) + is_recent(b) + is_recent(c) < 2)
+      return false;
+    return middles_.count(edge(a, b)) + middles_.count(edge(b, c)) + middles_.count(edge(c, a)) > 0;
   }
 
   // At least the rounding of the numbers that are compared with it.
@@ -482,7 +498,9 @@ private:
   const Wanted_lines& wanted_;
   const Interruption& interruption_;
   Line_budget budget_;
-  std::vector<std::uint32_t> ranks_; // of the vertices: first those of the overlay
+  std::vector<std::uint32_t> ranks_;   // of the vertices: first those of the overlay
+  std::vector<std::uint32_t> divided_; // for each of them, the pass that last divided a side there
+  std::uint32_t pass_ = 0;             // of conform()
   std::unordered_map<Edge, std::uint32_t, boost::hash<Edge>> middles_;
   std::vector<Triangle> fine_;
   std::unordered_map<Edge_and_level, Crossing, boost::hash<Edge_and_level>> crossings_;
