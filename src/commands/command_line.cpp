@@ -100,6 +100,44 @@ std::map<const CLI::Option*, std::vector<std::string>>& all_words()
   return words;
 }
 
+std::map<const CLI::Option*, std::vector<std::string>>& all_needs()
+{
+  static std::map<const CLI::Option*, std::vector<std::string>> needs;
+  return needs;
+}
+
+bool is_given(const CLI::App& command, const std::string& option)
+{
+  const std::size_t end = option.find(' ');
+  const CLI::Option& given = *command.get_option(option.substr(0, end));
+  if (end == std::string::npos)
+    return given.count() > 0;
+  const std::vector<std::string>& values = given.results();
+  const std::string value = option.substr(end + 1);
+  return given.count() > 0 ? std::find(values.begin(), values.end(), value) != values.end()
+                           : given.get_default_str().find(value) != std::string::npos;
+}
+
+// Refuses options that have no effect beside the others.
+void check_effects(const CLI::App& command)
+{
+  const auto refuse = [](const CLI::Option* option, const std::string& needed) {
+    throw CLI::ParseError(option->get_name() + " requires " + needed + ": it has no effect otherwise",
+                          CLI::ExitCodes::RequiresError);
+  };
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0)
+      continue;
+    if (option->check_lname("format") || option->check_lname("overlay-format"))
+      if (!writes_to_standard_output(command))
+        refuse(option, "a file named -, the standard output");
+    const auto needs = all_needs().find(option);
+    if (needs != all_needs().end() && std::none_of(needs->second.begin(), needs->second.end(),
+                                                   [&](const std::string& other) { return is_given(command, other); }))
+      refuse(option, boost::join(needs->second, " or "));
+  }
+}
+
 bool takes_value(const CLI::Option& option) { return option.nonpositional() && option.get_items_expected_max() > 0; }
 
 } // namespace
@@ -161,6 +199,8 @@ void parse(CLI::App& app, std::vector<std::string> arguments)
   };
   try {
     app.parse(std::move(arguments));
+    for (const CLI::App* command : app.get_subcommands())
+      check_effects(*command);
   } catch (const CLI::RequiredError&) {
     name_unknown();
   } catch (const CLI::ExtrasError&) {
@@ -206,6 +246,12 @@ CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& word
       return "there is no \"" + value + '"' + (near.empty() ? ", but " + list : near);
     },
     are_listed ? list : std::string()));
+}
+
+CLI::Option* need_one_of(CLI::Option* option, const std::vector<std::string>& others)
+{
+  all_needs()[option] = others;
+  return option;
 }
 
 std::vector<std::string> words_of(const CLI::Option& option)

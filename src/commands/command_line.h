@@ -37,6 +37,10 @@ CLI::Option* add_option(CLI::App& command, const std::string& names, Value& valu
 // always.
 CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& words, bool are_listed = true);
 
+// Lets an option be given only with one of others, without which it has no effect: "--verify", or "--number-type mpfr" if
+// only that value will do.
+CLI::Option* need_one_of(CLI::Option* option, const std::vector<std::string>& others);
+
 // The words that an option accepts, or none if it accepts others.
 std::vector<std::string> words_of(const CLI::Option& option);
 

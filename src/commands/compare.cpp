@@ -152,8 +152,9 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->capture_default_str();
-  add_option(command, "--precisions", options->precisions, "BITS,BITS,...",
-             "minimum precision in bits, for each run of mpfr")
+  need_one_of(add_option(command, "--precisions", options->precisions, "BITS,BITS,...",
+                         "minimum precision in bits, for each run of mpfr"),
+              {"--number-types mpfr"})
     ->delimiter(',')
     ->allow_extra_args(false)
     ->check(CLI::Range(2, 1000000))

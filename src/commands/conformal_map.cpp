@@ -276,7 +276,10 @@ Exit_status run_conformal_map(const Parameterize_options& options)
     if (!map.turned.empty())
       std::cerr << "idt: " << path << ": " << counted(map.turned.size(), "triangle", "triangles")
                 << " of the map turned over, first in face " << map.input_faces[map.turned.front()].idx()
-                << ": try idt refine first, or other cones" << std::endl;
+                << ", as they are thinner than the spacing of doubles there: "
+                << (surface.has_points() ? "map the surface that idt refine --maximum-deviation 0.1% --flatten F writes"
+                                         : "try other cones, or idt refine first if the surface is closed")
+                << std::endl;
     if (!options.uv.empty())
       write_textured_mesh(options.uv, mesh_of(map, surface));
     if (!options.uv_input.empty())

@@ -14,6 +14,8 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace idt {
 namespace {
@@ -31,12 +33,15 @@ Exit_status run_distance(Distance_options options)
       throw IT::Numerical_error(error.what() +
                                 std::string(options.time_coefficient > 1 ? "; try a smaller --time" : ""));
     }
-    if (result.is_far_from_right()) {
-      result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " +
-                                std::to_string(result.number_of_vertices) +
-                                " distances which are shorter than straight lines or longer than paths along edges, by "
-                                "more than 5 %: others are inaccurate, too; omit --method heat");
-      std::cerr << "idt: " << path << ": " << result.warnings.back() << std::endl;
+    std::vector<std::string> warnings = result.lines.warnings();
+    if (result.is_far_from_right())
+      warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " +
+                         std::to_string(result.number_of_vertices) +
+                         " distances which are shorter than straight lines or longer than paths along edges, by "
+                         "more than 5 %: others are inaccurate, too; omit --method heat");
+    for (std::string& warning : warnings) {
+      std::cerr << "idt: " << path << ": " << warning << std::endl;
+      result.warnings.push_back(std::move(warning));
     }
     write_files(options, result);
     write_report(std::cout, options, result);

@@ -196,6 +196,16 @@ void Distance_lines::show(View& view, const Points& points) const
   view.path_name = !borders ? "the isolines" : !isolines ? "the borders" : "the isolines and borders";
 }
 
+std::vector<std::string> Distance_lines::warnings() const
+{
+  std::vector<std::string> result;
+  if (isolines && isolines->lines.empty())
+    result.push_back("--isoline-step: there is no isoline, as no point is so far from the sources");
+  if (borders && borders->lines.empty())
+    result.push_back("--borders: there is no border, as no two sources have cells that meet");
+  return result;
+}
+
 std::string Distance_lines::text() const
 {
   std::string result;

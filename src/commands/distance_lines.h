@@ -59,6 +59,9 @@ struct Distance_lines
   // \exception Output_error as write_file()
   void write(const Line_options& options, const std::vector<std::array<double, 3>>& points) const;
 
+  // Why there are no lines of a kind that was wanted.
+  std::vector<std::string> warnings() const;
+
   // What there is, for the report: "5 isolines, 3 borders".
   std::string text() const;
 };

@@ -24,8 +24,9 @@ void check_matrix(const Distance_options& options)
     throw Usage_error("--matrix follows straight ways between vertices: omit other sources, heat, --maximum-change, "
                       "--refine, --compare-exact and --vectors");
   if (!options.output_path.empty() || !options.overlay_path.empty() || !options.labels_path.empty() ||
-      !options.view_path.empty())
-    throw Usage_error("--matrix finds distances of the targets only: omit -o, --overlay, --labels and --view");
+      !options.samples_path.empty() || options.lines.are_wanted() || !options.view_path.empty())
+    throw Usage_error("--matrix finds distances of the targets only: omit -o, --overlay, --labels, --farthest, lines "
+                      "and --view");
   const std::string type = extension_with_format(options.matrix_path, options.format);
   if (type != ".csv" && type != ".mtx")
     throw Usage_error(options.matrix_path + ": a matrix is written as a file whose name ends in .csv or .mtx");
@@ -117,8 +118,12 @@ std::optional<Mesh_format> Distance_options::overlay_format() const
 
 void Distance_options::complete()
 {
-  if (maximum_change || lines.are_wanted() || has_barriers() || is_signed)
-    cover = "none";
+  const bool needs_surface = maximum_change || lines.are_wanted() || has_barriers() || is_signed;
+  if (cover == "tufted" && needs_surface)
+    throw Usage_error("--maximum-change, lines, barriers and --signed need --cover none: the tufted cover is not a "
+                      "triangulation of the input");
+  if (cover.empty())
+    cover = needs_surface ? "none" : "tufted";
   read_vertex_files(*this);
   check(*this);
 }
@@ -181,7 +186,7 @@ void Distance_options::add_options(CLI::App& command)
                                "tufted: any triangles, with heat on a closed surface over them; none: triangles that "
                                "form an oriented surface"),
             {"tufted", "none"})
-    ->capture_default_str();
+    ->default_str("tufted");
   set_words(command.add_option(
               "--method", method,
               "approximate: follow straight ways over the faces, nearly equal ones together; exact: follow each of "

@@ -29,7 +29,7 @@ struct Distance_options
   Line_options lines;
   std::string output_path, overlay_path, labels_path, samples_path, stats_path, view_path;
   std::uint64_t number_of_samples = 0;
-  std::string cover = "tufted", boundary, format = "csv", method;
+  std::string cover, boundary, format = "csv", method;
   std::optional<double> time_coefficient, maximum_change;
   Repair_options repair;
   bool is_refined = false, has_vectors = false, is_compared = false, is_signed = false;

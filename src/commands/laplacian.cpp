@@ -51,6 +51,11 @@ struct Laplacian_options
   bool is_welded = false;
   double mollification = 0;
   std::size_t number_of_eigenvalues = 0;
+
+  bool prepares_triangles() const
+  {
+    return cover != "tufted" || coincident_vertices != "merge" || is_welded || mollification != 0;
+  }
 };
 
 struct Laplacian_result
@@ -228,6 +233,9 @@ Exit_status run_Laplacian(const Laplacian_options& options)
   check_view(options.view_path);
   if (!options.view_path.empty() && is_gluing_file(options.input))
     throw Usage_error(options.input + " has only lengths, no points: omit --view");
+  if (is_saved_triangulation(options.input) && options.prepares_triangles())
+    throw Usage_error(options.input + ": --cover, --coincident-vertices, --weld and --mollify are for meshes; the "
+                                      "Laplacian of a saved triangulation is that of its faces, as they are");
   if (!options.view_path.empty() && is_saved_triangulation(options.input))
     throw Usage_error("--view: idt view shows " + options.input);
   return for_each_input({options.input}, [&](const std::string&) {
@@ -271,9 +279,10 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
     "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
     "of the vertices");
   add_option(command, "--mass", options->mass_path, "M.mtx", "write the mass matrix");
-  set_words(command.add_option(
-              "--mass-type", options->mass_type,
-              "lumped: a third of the area around each vertex; galerkin: the mass matrix of linear finite elements"),
+  set_words(need_one_of(command.add_option("--mass-type", options->mass_type,
+                                           "lumped: a third of the area around each vertex; galerkin: the mass matrix "
+                                           "of linear finite elements"),
+                        {"--mass", "--eigenvalues"}),
             {"lumped", "galerkin"})
     ->capture_default_str();
   set_words(

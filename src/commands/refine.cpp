@@ -17,7 +17,10 @@
 #include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/text.h"
+#include "view/View.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 
@@ -276,6 +279,25 @@ double sufficient_deviation(const Surface& surface, Run_options run_options, con
   return 0;
 }
 
+// Those of straight triangles, if there are several, on the faces of the input and of the result.
+std::vector<View_field> regions(const Triangulation_result& result)
+{
+  if (!result.straight || result.straight->number_of_regions < 2)
+    return {};
+  const IT::Straight_mesh& mesh = *result.straight;
+  const IT::Common_subdivision& subdivision = *result.outcome.subdivision;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> of_input(subdivision.input().number_of_faces(), none),
+    of_result(subdivision.intrinsic().number_of_faces(), none);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    of_result[mesh.faces[t].idx()] = mesh.regions[t];
+  const IT::Overlay& overlay = subdivision.overlay();
+  for (IT::Overlay::Face f : overlay.faces())
+    if (const double region = of_result[overlay.intrinsic_face(f).idx()]; !std::isnan(region))
+      of_input[overlay.input_face(f).idx()] = region;
+  return {{"region", "", true, {of_input, of_result}}};
+}
+
 Exit_status refine_file(const std::string& path, const Refine_options& options)
 {
   Surface surface = load_surface(path, options.repair);
@@ -315,11 +337,14 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
       write_file(options.flattened,
                  [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
   }
-  options.files.write(result);
+  options.files.write(result, regions(result));
   write_file(options.kept_edges, [&](std::ostream& os) {
     write_constraints(os, options.kept_edges, result.surface, result.options.refinement->is_constrained);
   });
-  return report(result, options.files.is_verbose);
+  const Exit_status status = report(result, options.files.is_verbose);
+  if (result.straight && options.flattened.empty())
+    std::cout << "  not written     the straight triangles: --flatten F writes them" << std::endl;
+  return status;
 }
 
 Exit_status run_refine(const Refine_options& options)
@@ -358,8 +383,9 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--maximum-normal-angle", options->refinement.criteria.normal_angle, "A",
              "edges may be as long as the way on which the normal of the surface turns by A degrees; edges sharper "
              "than --constrain-angle do not count (default: unlimited)");
-  add_option(command, "--size-gradation", options->refinement.criteria.gradation, "G",
-             "by which part of a length these sizes may grow along it; larger ones are lowered")
+  need_one_of(add_option(command, "--size-gradation", options->refinement.criteria.gradation, "G",
+                         "by which part of a length these sizes may grow along it; larger ones are lowered"),
+              {"--maximum-normal-angle", "--size-map"})
     ->capture_default_str();
   add_option(
     command, "--maximum-deviation", options->maximum_deviation, "D[%]",

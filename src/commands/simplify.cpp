@@ -106,8 +106,12 @@ std::vector<bool> constrained_edges(const Surface& surface, const Triangulation&
   return result;
 }
 
-// The possible change of distances, as a percentage.
-double percentage(const IT::Metric_change& change) { return 100 * ((std::max)(change.stretch, 1 / change.shrink) - 1); }
+// The possible change of distances, as a percentage: zero if it is no more than rounding may take.
+double percentage(const IT::Metric_change& change)
+{
+  const double result = 100 * ((std::max)(change.stretch, 1 / change.shrink) - 1);
+  return result > 1e-10 ? result : 0;
+}
 
 // Rounded away from what is proven of all distances. Near 1, the difference tells more.
 std::string bound_text(double factor, bool is_upper)

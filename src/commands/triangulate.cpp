@@ -208,17 +208,20 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
             number_type_names(), false)
     ->type_name("NT")
     ->capture_default_str();
-  add_option(command, "--precision", options->precision, "BITS", "minimum precision in bits, for mpfr")
+  need_one_of(add_option(command, "--precision", options->precision, "BITS", "minimum precision in bits, for mpfr"),
+              {"--number-type mpfr"})
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
   add_option(command, "--maximum-flips", options->maximum_number_of_flips, "N",
              "give up after this many flips (default: unlimited for an exact number type, else the larger of "
              "10,000,000 and 100 times the number of edges)")
     ->transform(whole_number());
-  set_words(command.add_option_function<std::string>(
-              "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
-              "what the exact decisions of filtered and of --verify accept as a tie: probable (an error probability "
-              "below 2^-128 if a proof would be costly), or proven (a tie without a proof then ends the run)"),
+  set_words(need_one_of(
+              command.add_option_function<std::string>(
+                "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
+                "what the exact decisions of filtered and of --verify accept as a tie: probable (an error probability "
+                "below 2^-128 if a proof would be costly), or proven (a tie without a proof then ends the run)"),
+              {"--number-type filtered", "--verify"}),
             {"probable", "proven"})
     ->default_str("probable");
   CLI::Option* const mollify = add_option(command, "--mollify", options->mollification, "D",
