@@ -166,8 +166,8 @@ TEST_F(Geodesic_command, goes_over_triangles_that_are_no_surface)
   EXPECT_NEAR(found.at("length").get<double>(), std::hypot(x, 0.25), 1e-14);
   EXPECT_NEAR(found.at("snaps").at(0).at("distance").get<double>(), 0.1, 1e-15);
   EXPECT_EQ(lines(content(folder_ / "path.csv")).size(), 4u);
-  for (const char* options : {"--from 2 --to 3 --via 4 --closed", "--from 2 --to 3 --cut c.off",
-                              "--from 2 --direction 1 --length 1"}) {
+  for (const char* options :
+       {"--from 2 --to 3 --via 4 --closed", "--from 2 --to 3 --cut c.off", "--from 2 --direction 1 --length 1"}) {
     const Command_run refused = idt(std::string("geodesic fan.off ") + options);
     EXPECT_TRUE(refused.status == 3 && contains(refused.err, "--repair")) << options << refused.err;
   }
