@@ -66,9 +66,58 @@ std::vector<bool> Thin_part_merger::find_solids() const
       for (std::size_t i = 0; i < 3; ++i)
         sum.is_closed = sum.is_closed && number_of_triangles_at(corners[i], corners[(i + 1) % 3]) > 1;
     }
+  // The area and the volume of films do not count.
+  const auto is_thick = [d = maximum_deviation_](const Sum& sum) {
+    return 2 * sum.volume > d * sum.area && sum.volume > d * d * d;
+  };
+  std::vector<std::uint32_t> triangles;
+  std::vector<Space_box> boxes;
+  for (Sum& sum : sums)
+    sum.volume = std::abs(sum.volume);
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    if (const Sum& sum = sums[component_of(t)]; !is_removed(mesh_.triangles[t]) && sum.is_closed && !is_thick(sum)) {
+      triangles.push_back(t);
+      boxes.emplace_back(map_.corners(mesh_.triangles[t]));
+    }
+  const Box_tree tree(std::move(boxes));
+  std::vector<std::pair<std::uint32_t, double>> films; // triangles of films, and how thick these are
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    if (const double thickness = thickness_at(triangles[i], triangles, tree); thickness < maximum_deviation_)
+      films.emplace_back(triangles[i], thickness);
+  for (const auto& [t, thickness] : films) {
+    const double own = area(mesh_.triangles[t]);
+    sums[component_of(t)].area -= own;
+    sums[component_of(t)].volume -= own * thickness / 2;
+  }
   std::vector<bool> result;
   for (const Sum& sum : sums)
-    result.push_back(sum.is_closed && 2 * std::abs(sum.volume) > maximum_deviation_ * sum.area);
+    result.push_back(sum.is_closed && is_thick(sum));
+  return result;
+}
+
+// How far the nearest triangle that is turned the other way is from the middle of a triangle, or the deviation if it is
+// farther.
+double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles,
+                                      const Box_tree& tree) const
+{
+  const auto normal_of = [](const Space_triangle& p) {
+    return cross_product(difference(p[1], p[0]), difference(p[2], p[0]));
+  };
+  const Space_triangle corners = map_.corners(mesh_.triangles[t]);
+  const Point normal = normal_of(corners);
+  Point middle{};
+  for (const Point& p : corners)
+    for (std::size_t i = 0; i < 3; ++i)
+      middle[i] += p[i] / 3;
+  double result = maximum_deviation_;
+  for (std::uint32_t i : tree.near(Space_box({middle, middle, middle}), maximum_deviation_)) {
+    Space_triangle seen = map_.corners(mesh_.triangles[triangles[i]]);
+    if (scalar_product(normal_of(seen), normal) >= 0 || component_of(triangles[i]) != component_of(t))
+      continue;
+    for (Point& p : seen)
+      p = difference(p, middle);
+    result = (std::min)(result, std::sqrt(nearest_to_origin(seen).second));
+  }
   return result;
 }
 

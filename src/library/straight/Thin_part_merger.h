@@ -147,6 +147,7 @@ private:
     std::uint32_t a, b, c, d, s, t;
   };
   std::vector<bool> find_solids() const;
+  double thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles, const Box_tree& tree) const;
   void leave_films_out();
   bool is_folded(std::uint32_t t) const;
   double area(const Triangle& t) const;
