@@ -391,8 +391,8 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     command, "--maximum-deviation", options->maximum_deviation, "D[%]",
     "the largest distance allowed between the surface and the straight triangles of --flatten: a length, or a "
     "percentage of the longest side of the box (default: unlimited). What is thinner is merged in them, and the "
-    "status is 4 if they are no surface, too far away, or have angles below 10 degrees other than at corners of "
-    "kept edges");
+    "status is 4 if they are no surface, too far away, have angles below 10 degrees other than at corners of kept "
+    "edges, or, where they are closed, lie on each other or cross unlike the surface");
   add_option(command, "--minimum-size", options->refinement.criteria.minimum_size, "S",
              "insert no vertex for a face with a side or a height shorter than S, so that refinement ends early at "
              "irrelevantly thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller faces need many "

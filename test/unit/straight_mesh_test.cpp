@@ -595,6 +595,18 @@ TEST(Straight_mesh, leaves_films_out)
     }
 }
 
+TEST(Straight_mesh, keeps_isolated_vertices)
+{
+  Model cube = box(1, 1);
+  cube.points.push_back({5, 5, 5});
+  const IT::Common_subdivision subdivision(cube.triangulation());
+  for (double deviation : {0., 0.01}) {
+    const IT::Straight_mesh mesh = IT::straight_mesh(subdivision, cube.points, {}, 10, deviation);
+    EXPECT_EQ(mesh.points.size(), 9u);
+    EXPECT_TRUE(mesh.merged_vertices.empty());
+  }
+}
+
 TEST(Straight_mesh, tells_crossings_of_the_surface_from_others)
 {
   Model cubes = box(1, 1);

@@ -55,8 +55,8 @@ struct Straight_mesh
   std::vector<std::uint32_t> lines;
   std::uint32_t number_of_lines = 0; ///< the number of lines
 
-  /// \brief neither surface is farther than this from the other at any point. It is proven, rounding included. It
-  /// exceeds `maximum_deviation` if the triangulation has faces that are farther from their triangles
+  /// \brief films apart, neither surface is farther than this from the other at any point. It is proven, rounding
+  /// included. It exceeds `maximum_deviation` if the triangulation has faces that are farther from their triangles
   double deviation = 0;
   std::array<double, 3> deviation_place{}; ///< where on the surface this distance is approximately attained
 
@@ -100,8 +100,8 @@ struct Straight_mesh
     return is_surface() && is_closed() && folded_edges.empty() && crossing_triangles.empty();
   }
 
-  /// \brief returns whether they are a surface with good angles that, if it is closed, is nowhere folded onto itself, and
-  /// crosses itself only where the given one does. Complexity: constant.
+  /// \brief returns whether they are a surface with good angles that, if it is closed, is nowhere folded onto itself,
+  /// and crosses itself only where the given one does. Complexity: constant.
   bool is_good() const
   {
     return is_surface() && has_good_angles() &&
@@ -137,9 +137,9 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
 /// CAD models have edges and gaps that are shorter than any useful triangle. With `maximum_deviation`, vertices are
 /// merged or moved and edges flipped where that makes thin triangles better, or where edges are shorter than that and
 /// nothing does. Thin tubes are cut and closed, pieces without any thickness that lie along others are left out, and wires
-/// that do not become rods. Films of closed surfaces, which are nearly flat sheets of material or gaps that are thinner,
-/// are left out. The triangulation and the surface stay as they are, and the triangles stay closed where the
-/// surface is. Distances are measured between both surfaces; no change goes beyond that bound.
+/// that do not become rods. Films of closed surfaces go: two sheets, around material or a gap, that meet at less than a
+/// degree. The triangulation and the surface stay as they are, and the triangles stay closed where the surface is.
+/// Distances are measured between both surfaces; no change goes beyond that bound, except that films are missing.
 ///
 /// \param subdivision the common subdivision of the triangulation and its input
 /// \param points the positions of the vertices of the input

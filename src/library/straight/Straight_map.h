@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
@@ -51,12 +52,19 @@ inline std::pair<double, std::size_t> smallest_angle(const std::array<std::array
 inline double dihedral_angle(const std::array<double, 3>& p, const std::array<double, 3>& q,
                              const std::array<double, 3>& r, const std::array<double, 3>& s)
 {
-  const std::array<double, 3> along{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  const auto height = [&](const std::array<double, 3>& x) {
-    return cross_product(along, std::array<double, 3>{x[0] - p[0], x[1] - p[1], x[2] - p[2]});
-  };
-  const std::array<double, 3> m = height(r), n = height(s), across = cross_product(m, n);
-  return std::atan2(std::hypot(across[0], across[1], across[2]), scalar_product(m, n)) * (180 / CGAL_PI);
+  const auto point = [](const std::array<double, 3>& x) { return Simple_cartesian<double>::Point_3(x[0], x[1], x[2]); };
+  return std::abs(approximate_dihedral_angle(point(p), point(q), point(r), point(s)));
+}
+
+inline std::array<double, 3> difference(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
+// As long as twice the area.
+inline std::array<double, 3> normal_of(const std::array<std::array<double, 3>, 3>& corners)
+{
+  return cross_product(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
 }
 
 // Knows where the surface lies below each face, and where its vertices and added ones are.

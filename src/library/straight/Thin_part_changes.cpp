@@ -87,16 +87,6 @@ Straight_map::Distance Thin_part_merger::largest_distance()
   return result;
 }
 
-static std::array<double, 3> normal_of(const Space_triangle& p)
-{
-  std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    result[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
-  }
-  return result;
-}
-
 // How many fewer thin triangles there are, and by what factor the smallest angle grows; the least gain of all if a
 // triangle turns over. The normals of thin and of low triangles mean nothing.
 // \param before where the triangles were

@@ -8,11 +8,13 @@
 #include "Thin_part_merger.h"
 
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
-#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
+#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -20,8 +22,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 namespace {
 
 using Point = std::array<double, 3>;
-
-Point difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 
 double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
@@ -38,9 +38,8 @@ std::array<double, 2> nearest_parameters(const Point& p, const Point& q, const P
 
 double Thin_part_merger::area(const Triangle& t) const
 {
-  const auto& points = map_.points();
-  const Point across = cross_product(difference(points[t[1]], points[t[0]]), difference(points[t[2]], points[t[0]]));
-  return std::sqrt(scalar_product(across, across)) / 2;
+  const Space_triangle corners = map_.corners(t);
+  return four_areas_3(corners[0], corners[1], corners[2]) / 4;
 }
 
 // Components that enclose a volume, and are not films as a whole. Nothing would be left of the latter.
@@ -100,9 +99,6 @@ std::vector<bool> Thin_part_merger::find_solids() const
 double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles,
                                       const Box_tree& tree) const
 {
-  const auto normal_of = [](const Space_triangle& p) {
-    return cross_product(difference(p[1], p[0]), difference(p[2], p[0]));
-  };
   const Space_triangle corners = map_.corners(mesh_.triangles[t]);
   const Point normal = normal_of(corners);
   Point middle{};
@@ -140,10 +136,8 @@ void Thin_part_merger::leave_films_out()
     edges.pop_back();
     if (rest % 256 == 0)
       report(0.8);
-    if (const std::vector<std::uint32_t> changed = zip(v, w); !changed.empty()) {
-      for (std::uint32_t t : changed)
-        add_edges_of(t);
-    }
+    for (std::uint32_t t : zip(v, w))
+      add_edges_of(t);
   }
 }
 
@@ -156,19 +150,19 @@ bool Thin_part_merger::is_folded(std::uint32_t t) const
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = corners[i], w = corners[(i + 1) % 3];
     const auto& points = map_.points();
-    for (std::uint32_t other : triangles_at(v, w))
-      if (other != t &&
-          dihedral_angle(
-            points[v], points[w], points[corners[(i + 2) % 3]],
-            points[mesh_.triangles[other][0] + mesh_.triangles[other][1] + mesh_.triangles[other][2] - v - w]) <
-            Straight_mesh::smallest_dihedral_angle)
+    for (std::uint32_t other : triangles_at(v, w)) {
+      const Triangle& beyond = mesh_.triangles[other];
+      const std::uint32_t x = after(beyond, after(beyond, v) == w ? w : v);
+      if (other != t && dihedral_angle(points[v], points[w], points[corners[(i + 2) % 3]], points[x]) <
+                          Straight_mesh::smallest_dihedral_angle)
         return true;
+    }
   }
   return false;
 }
 
-// Where two triangles at the edge ab lie on each other, divides them until they have a part in common that begins at ab,
-// and leaves this part out.
+// Where two triangles at the edge ab lie on each other, divides them until they have a part in common that begins at
+// ab, and leaves this part out.
 // \return the triangles that have changed; empty if there was nothing to do
 std::vector<std::uint32_t> Thin_part_merger::zip(std::uint32_t a, std::uint32_t b)
 {
@@ -279,40 +273,35 @@ std::vector<std::uint32_t> Thin_part_merger::zip_to_side(const Fold& fold)
   for (Point& q : seen)
     q = difference(q, p);
   auto [coordinates, squared] = nearest_to_origin(seen);
-  const Point normal = cross_product(difference(seen[1], seen[0]), difference(seen[2], seen[0]));
+  const Point normal = normal_of(seen);
   const double height = scalar_product(normal, seen[0]), squared_near = near_ * near_,
                squared_height = height * height / scalar_product(normal, normal);
   if (c == d || coordinates[2] == 0 || !(squared_height <= maximum_deviation_ * maximum_deviation_) ||
       !(squared - squared_height <= squared_near))
     return {};
-  const std::array<std::uint32_t, 2> ends{b, a};
   for (std::size_t i = 0; i < 2; ++i) { // a side that is near enough
     const Point q = between(seen[i], seen[2], std::clamp(fraction_between(seen[i], seen[2], {0, 0, 0}), 0., 1.));
     if (coordinates[1 - i] > 0 && scalar_product(q, q) - squared_height <= squared_near)
       coordinates[1 - i] = 0;
   }
+  std::uint32_t end = d; // the other end of the side, if one is divided
   Change change;
   leave_out(change, s, {a, b, c});
   leave_out(change, t, {b, a, c});
-  if (coordinates[0] > 0 && coordinates[1] > 0) {
+  if (coordinates[0] > 0) // not on the side ad
     change_triangle(change, add_triangle(t), {a, d, c});
+  if (coordinates[0] == 0 || coordinates[1] > 0)
     change_triangle(change, add_triangle(t), {d, b, c});
-  } else {
-    const std::size_t i = coordinates[0] > 0 ? 0 : 1; // the side from the corner i to d
-    const std::uint32_t end = ends[i], rest = ends[1 - i];
+  if (coordinates[0] == 0 || coordinates[1] == 0) {
+    end = coordinates[0] > 0 ? b : a;
     const std::vector<std::uint32_t> there = triangles_at(end, d);
     if (there.size() != 2)
       return {};
-    const std::uint32_t beyond = there[there[0] == t];
-    change_triangle(change, add_triangle(t), i == 0 ? Triangle{rest, d, c} : Triangle{d, rest, c});
-    divide_triangle(change, beyond, end, d, c);
-    if (!can_be_left_out(change))
-      return {};
-    divide_mark(end, d, c);
-    return finish(change, fold, c);
+    divide_triangle(change, there[there[0] == t], end, d, c);
   }
   if (!can_be_left_out(change))
     return {};
+  divide_mark(end, d, c);
   return finish(change, fold, c);
 }
 
@@ -367,7 +356,9 @@ bool Thin_part_merger::can_be_left_out(Change& change)
 void Thin_part_merger::leave_out(Change& change, std::uint32_t t, Triangle corners)
 {
   for (std::uint32_t& v : corners) {
-    v = add_vertex(Point(map_.points()[v]));
+    if (v < images_.size())
+      vertices_of_films_.push_back(v);
+    v = add_vertex(map_.points()[v]);
     is_of_film_[v] = true;
   }
   change.triangles.push_back(t);
@@ -406,17 +397,18 @@ void Thin_part_merger::divide_mark(std::uint32_t v, std::uint32_t w, std::uint32
 void Thin_part_merger::find_images_of_films()
 {
   std::vector<std::uint32_t> lonely, others;
+  std::copy_if(vertices_of_films_.begin(), vertices_of_films_.end(), std::back_inserter(lonely),
+               [this](std::uint32_t v) { return at_vertex_[v].empty() && images_[v] == v; });
+  if (lonely.empty())
+    return;
   std::vector<Space_box> boxes;
   for (std::uint32_t v = 0; v < at_vertex_.size(); ++v)
-    if (at_vertex_[v].empty()) {
-      if (v < images_.size() && images_[v] == v)
-        lonely.push_back(v);
-    } else if (!is_of_film_[v]) {
+    if (!at_vertex_[v].empty() && !is_of_film_[v]) {
       const Point& p = map_.points()[v];
       others.push_back(v);
       boxes.emplace_back(Space_triangle{p, p, p});
     }
-  if (lonely.empty() || others.empty())
+  if (others.empty())
     return;
   const Box_tree tree(std::move(boxes));
   for (std::uint32_t v : lonely) {

@@ -193,9 +193,10 @@ private:
   std::optional<Box_tree> face_tree_;                      // of the surface in each face, if nothing must cross
   std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
-  std::vector<bool> is_of_film_;               // whether a vertex is one of triangles that are left out
-  std::vector<bool> is_solid_;                 // for each component, whether films of it may be left out
-  const double near_ = maximum_deviation_ / 2; // what is nearer becomes one where sheets are zipped
+  std::vector<bool> is_of_film_;                 // whether a vertex is one of triangles that are left out
+  std::vector<std::uint32_t> vertices_of_films_; // of the triangulation, maybe several times
+  std::vector<bool> is_solid_;                   // for each component, whether films of it may be left out
+  const double near_ = maximum_deviation_ / 2;   // what is nearer becomes one where sheets are zipped
   double area_of_films_ = 0;
   Point place_of_film_{};
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step

@@ -370,12 +370,19 @@ private:
   Straight_mesh mesh_;
 };
 
-// Where triangles are no surface, all are bad.
+// How many places are bad other than crossings. Where triangles are no surface, all are bad.
 std::size_t number_of_bad(const Straight_mesh& mesh, double deviation)
 {
-  return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners +
-                                                              mesh.folded_edges.size() + mesh.number_of_new_crossings
-                                                          : mesh.triangles.size() + 1;
+  return mesh.is_surface() && mesh.deviation <= deviation
+           ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners + mesh.folded_edges.size()
+           : mesh.triangles.size() + 1;
+}
+
+// As in `is_good()`, crossings of closed triangles count like what else is bad, and those of others after it.
+std::pair<std::size_t, std::size_t> defects(const Straight_mesh& mesh, double deviation)
+{
+  const std::size_t bad = number_of_bad(mesh, deviation), crossings = mesh.number_of_new_crossings;
+  return mesh.is_closed() ? std::pair(bad + crossings, bad) : std::pair(bad, crossings);
 }
 
 // Where triangles cross and the surface does not, they are made again without the steps that lead to that. Programs that
@@ -402,8 +409,8 @@ public:
       const std::vector<bool> before = must_not_cross;
       if (deviation > 0)
         find_crossings(mesh, maker.stands_for(), must_not_cross, part);
-      const bool has_bad = number_of_bad(mesh, deviation) > mesh.number_of_new_crossings;
-      if (round == 0 || number_of_bad(mesh, deviation) < number_of_bad(result, deviation))
+      const bool has_bad = number_of_bad(mesh, deviation) > 0;
+      if (round == 0 || defects(mesh, deviation) < defects(result, deviation))
         result = std::move(mesh);
       if (must_not_cross == before || (round == 0 && has_bad))
         break;
@@ -473,10 +480,10 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
     return result;
   // Larger ones are tried as long as that leaves fewer bad triangles.
   double d = 2 * maximum_deviation, done = 0.4;
-  for (std::size_t before = number_of_bad(result, maximum_deviation); before > 0 && d < 100 * maximum_deviation;
+  for (std::size_t before = defects(result, maximum_deviation).first; before > 0 && d < 100 * maximum_deviation;
        d *= 2, done += 0.1) {
     const std::size_t number =
-      number_of_bad(maker.make(is_marked, thin_angle, d, part_of_progress(progress, done, done + 0.1)), d);
+      defects(maker.make(is_marked, thin_angle, d, part_of_progress(progress, done, done + 0.1)), d).first;
     if (number == 0)
       result.sufficient_deviation = d;
     before = number < before ? number : 0;

@@ -90,7 +90,7 @@ class StraightMesh(NamedTuple):
     lines: numpy.ndarray
     """(e,) array of int64: the number of the line of each of them: connected edges with the same regions beside them."""
     deviation: float
-    """No point of either surface is farther than this from the other one: proven, rounding included."""
+    """Films apart, no point of either surface is farther than this from the other one: proven, rounding included."""
     deviation_place: numpy.ndarray
     """(3,) array: where on the surface that distance is attained, nearly."""
     minimum_angle: float
