@@ -72,7 +72,7 @@ distances measured, and straight paths found. Every decision is exact.")
   add_package(development libintrinsic-triangulations-dev libdevel
     "Intrinsic Delaunay triangulations: headers, static library, examples"
     "LGPL-3.0-or-later. The examples, libIntrinsic_triangulations_repair.a and the three headers that share/doc/Intrinsic_triangulations/LICENSE names: GPL-3.0-or-later."
-    "libintrinsic-triangulations${soname} (= ${version}), libcgal-dev (>= 5.5)" "g++, cmake, pkg-config, libeigen3-dev, libspectra-dev")
+    "libintrinsic-triangulations${soname} (= ${version}), libcgal-dev (>= 5.5)" "g++, cmake, pkgconf, libeigen3-dev, libspectra-dev")
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/lintian-overrides
     DESTINATION share/lintian/overrides RENAME libintrinsic-triangulations-dev COMPONENT development)
   if(TARGET idt)
