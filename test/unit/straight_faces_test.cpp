@@ -8,7 +8,10 @@
 #include "library/engine/decide/corner_signs.h"
 #include "library/engine/layout/Developed_faces.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include "library/engine/layout/Two_straight_faces.h"
+#include "library/arithmetic/Residues.h"
+#include "library/engine/layout/Vertex_positions.h"
 #include "library/engine/layout/metric_images.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -19,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -157,6 +161,24 @@ TEST(Straight_corner, bounds_in_doubles_hold)
   EXPECT_FALSE(IT::internal::straight_corner_in_doubles(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
 }
 
+// What differences of coordinates lose is nearly as large as the bounds here: right angles whose products cancel, and
+// sides whose squared lengths are rounded most, just above a power of two.
+TEST(Straight_corner, bounds_in_doubles_hold_where_differences_are_rounded)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0, 1);
+  for (int n = 0; n < 20000; ++n) {
+    const bool is_right = n % 2 == 0;
+    const auto one = [&] { return 1 + 0x1p-6 * number(random); };
+    const auto small = [&] { return 0x1p-3 * number(random); };
+    const Point k{-0x1p-8 * number(random), -0x1p-8 * number(random), -0x1p-8 * number(random)},
+      i{one(), is_right ? one() : small(), small()}, j{is_right ? one() : small(), is_right ? -one() : one(), small()};
+    const auto found = IT::internal::straight_corner_in_doubles(i, j, k);
+    ASSERT_TRUE(found);
+    expect_within(k, i, j, *found);
+  }
+}
+
 // Four points on a circle, up to rounding: the exact sign is that of the sum of products of 100 digits.
 TEST(Straight_corner, signs_in_doubles_are_right)
 {
@@ -207,6 +229,91 @@ TEST(Developed_faces, bounds_in_doubles_hold)
               Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second)) + 0x1p-90 * (exact.s + exact.s_second)));
   }
   EXPECT_GT(number_of_known, triangles().size() / 2);
+}
+
+// A flip of two triangles in a plane makes triangles whose corners are known. The first one may be kept before or not,
+// and the second one, too, or be given by any of its corners.
+TEST(Developed_faces, bounds_hold_after_a_flip)
+{
+  using V = IT::Vertex_index;
+  const IT::Delta_complex before =
+    IT::make_Delta_complex_from_triangles(4, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 0, 3}});
+  const std::vector<IT::Surface_point> no_locations;
+  const IT::internal::Vertex_positions::Inserted none_inserted;
+  IT::Edge_index e;
+  for (IT::Edge_index each : before.edges())
+    if (!before.is_border(each))
+      e = each;
+  const IT::Hinge_halfedges around = before.hinge(e);
+  IT::internal::Interruption none;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> coordinate(0.1, 1);
+  for (int n = 0; n < 1200; ++n) {
+    const double size = std::ldexp(1, -1 - n % 20); // of what makes the corners k and l lie near one end or the other
+    const auto apex = [&](double side) {
+      const double x = size * coordinate(random);
+      return Point{n % 2 == 0 ? x : 1 - x, side * size * coordinate(random), 0};
+    };
+    Points points(4);
+    points[before.source(around.ij).idx()] = {0, 0, 0};
+    points[before.target(around.ij).idx()] = {1, 0.001 * size * coordinate(random), 0};
+    points[before.target(around.jk).idx()] = apex(1);
+    points[before.target(around.il).idx()] = apex(-1);
+    IT::Delta_complex complex = before;
+    const IT::internal::Vertex_positions positions(before, points, no_locations, none_inserted);
+    IT::internal::Residue_rings rings(IT::internal::random_prime_fields(1), none);
+    const auto corner = [&](IT::Halfedge_index h, int turns) {
+      for (; turns != 0; --turns)
+        h = before.next(h);
+      return IT::internal::Known_corner{h, IT::internal::straight_corner(before, positions, h),
+                                        IT::internal::image_of_straight_corner(before, positions, h, rings)};
+    };
+    IT::internal::Developed_faces faces;
+    const int kept = n / 2 % 4;
+    for (IT::Halfedge_index h : {around.ij, around.ji})
+      if ((kept >> (h == around.ji) & 1) != 0)
+        faces.insert(complex, corner(h, n / 8 % 3));
+    faces.flip(complex, around, [&](IT::Halfedge_index h) { return std::make_optional(corner(h, n / 8 / 3 % 3)); });
+    ASSERT_TRUE(faces.contains(around.ij) && faces.contains(around.ji)) << n;
+    complex.flip(around);
+    for (IT::Halfedge_index first : {around.ij, around.ji})
+      for (IT::Halfedge_index h : {first, complex.next(first), complex.prev(first)}) {
+        const auto point = [&](V v) { return points[v.idx()]; };
+        const Straight_corner found = faces.corner(complex, h);
+        const Corner exact = expect_within(point(complex.target(complex.next(h))), point(complex.source(h)),
+                                           point(complex.target(h)), found);
+        // Positions relative to a corner that is far away have its errors.
+        if (n / 8 % 9 == 0)
+          EXPECT_LE(found.four_areas.error(), 0x1p-88 * sqrt(Number(exact.s * exact.s_second))) << n;
+        const auto image = faces.image_of_corner(complex, h);
+        ASSERT_TRUE(image);
+        const auto expected = IT::internal::image_of_straight_corner(complex, positions, h, rings);
+        for (auto number : {&IT::internal::Triangle_corner<IT::internal::Residues>::p,
+                            &IT::internal::Triangle_corner<IT::internal::Residues>::four_areas,
+                            &IT::internal::Triangle_corner<IT::internal::Residues>::s_opposite})
+          EXPECT_TRUE(((*image).*number - expected.*number).is_zero()) << n;
+      }
+  }
+}
+
+TEST(Developed_faces, inaccurate_ones_are_forgotten)
+{
+  const IT::Delta_complex complex =
+    IT::make_Delta_complex_from_triangles(4, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 0, 3}});
+  const IT::Hinge_halfedges around = complex.hinge(IT::Edge_index(0));
+  ASSERT_FALSE(complex.is_border(IT::Edge_index(0)));
+  for (double error : {0x1p-80, 0x1p-50}) {
+    Straight_corner corner = *IT::internal::straight_corner(Point{0, 0, 0}, Point{1, 0, 0}, Point{0.375, 1, 0});
+    IT::internal::Developed_faces faces;
+    faces.insert(complex, {around.ij, corner, {}});
+    ASSERT_TRUE(faces.contains(around.ij));
+    corner.p = {corner.p.hi(), corner.p.lo(), error};
+    faces.flip(complex, around, [&](IT::Halfedge_index h) {
+      return std::make_optional(IT::internal::Known_corner{h, corner, {}});
+    });
+    EXPECT_EQ(faces.contains(around.ij), error < 0x1p-61);
+    EXPECT_EQ(faces.contains(around.ji), error < 0x1p-61);
+  }
 }
 
 TEST(Straight_corner, bounds_hold)

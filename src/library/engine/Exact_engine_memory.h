@@ -140,7 +140,7 @@ struct Exact_engine::Memory
     if (log.is_followed_by(Flip_log::NUMBERS))
       return false;
     laid_out_quantities += number_of_quantities;
-    if (laid_out_quantities < double(complex.number_of_edges() + 3 * log.number_of_unread(Flip_log::NUMBERS)))
+    if (3 * laid_out_quantities < double(complex.number_of_edges() + 3 * log.number_of_unread(Flip_log::NUMBERS)))
       return false;
     laid_out_quantities *= -1; // the next time, twice as much
     return true;

@@ -27,6 +27,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -122,10 +123,11 @@ public:
   template <class LayOut>
   void flip(const Delta_complex& complex, const Hinge_halfedges& around, const LayOut& lay_out)
   {
+    // Repeated flips may take the place of all faces while one is laid out.
     const auto find = [&](Halfedge_index h) {
       if (!contains(h))
         if (const std::optional<Known_corner> c = lay_out(h))
-          insert(complex, *c);
+          contains(complex.opposite(h)) ? insert_beside(complex, h, *c) : insert(complex, *c);
       return contains(h);
     };
     const auto size_of_plane = [&](Halfedge_index h) { return planes_[points_[source(h)].plane].size; };
@@ -134,11 +136,13 @@ public:
       forget(complex, around.ji);
     };
     try {
-      // Repeated flips may take the place of all faces while the second one is laid out.
-      if (!find(around.ij) || !find(around.ji) || !find(around.ij) ||
-          !join(complex, size_of_plane(around.ij) <= size_of_plane(around.ji) ? around.ij : around.ji))
+      if (!find(around.ij) || !find(around.ji) || !find(around.ij))
         return forget_both();
-      flip_in_plane(around);
+      if (!flip_in_plane(around)) {
+        if (!join(complex, size_of_plane(around.ij) <= size_of_plane(around.ji) ? around.ij : around.ji))
+          return forget_both();
+        flip_in_plane(around);
+      }
       if (points_.size() > 2 * most_points_)
         compact();
     } catch (...) {
@@ -198,8 +202,8 @@ public:
 
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-  // Relative to the edges. Beyond this, it is better to lay the face out anew.
-  static constexpr double largest_radius = 0x1p-65;
+  // Relative to the edges. Beyond this, it is better to lay the face out anew: doubles leave open what is below 2^-53.
+  static constexpr double largest_radius = 0x1p-61;
 
   std::uint32_t source(Halfedge_index h) const { return sources_[h.idx() >> 1][h.idx() & 1]; }
   std::uint32_t& source(Halfedge_index h) { return sources_[h.idx() >> 1][h.idx() & 1]; }
@@ -249,6 +253,17 @@ private:
     return rounded_sqrt(square) * Number(1 + 0x1p-45) + Number(1e-150);
   }
 
+  // Rounded up.
+  static double distance(const Vector& p, const Vector& q)
+  {
+    const Two_doubles v = rounded_difference(p, q), squares = v * v;
+    return length_of(squares.first() + squares.second());
+  }
+  static bool is_accurate(const Vector& position, const Vector& other)
+  {
+    return position.radius() < largest_radius * distance(position, other);
+  }
+
   std::uint32_t add_point(const Vector& position, std::uint32_t plane, std::unique_ptr<const Image> image)
   {
     points_.push_back({position, plane, 0, std::move(image)});
@@ -282,6 +297,36 @@ private:
                     add_point(Vector(Real(0), Real(0)), plane, std::move(image_of_k))};
   }
 
+  // Keeps the face of h, of which a corner is known, beside the face beyond h, unless its error is too large.
+  void insert_beside(const Delta_complex& complex, Halfedge_index h, Known_corner c)
+  {
+    const auto turn = [](auto& x) {
+      x = {x.s_first + x.s_first - x.p, x.four_areas, x.s_opposite, x.s_first, x.s_second};
+    };
+    for (; c.side != h; c.side = complex.next(c.side)) {
+      turn(c.corner);
+      if (c.image)
+        turn(*c.image);
+    }
+    const Halfedge_index beyond = complex.opposite(h);
+    const std::uint32_t i = source(complex.next(beyond)), j = source(beyond);
+    const bool is_from_j = c.corner.s_second.hi() < c.corner.s_first.hi(); // from the nearer end of ij
+    const std::uint32_t end = is_from_j ? j : i;
+    const auto from_end = [&](const auto& x, const auto& p, const auto& q) {
+      using Position = std::decay_t<decltype(p)>;
+      const auto along = is_from_j ? x.p - x.s_second - x.s_second : x.s_first + x.s_first - x.p;
+      return Position(along, x.four_areas) / (x.s_opposite + x.s_opposite) * (q - p);
+    };
+    const Vector position = points_[end].position + from_end(c.corner, points_[i].position, points_[j].position);
+    if (!is_accurate(position, points_[end].position))
+      return;
+    std::unique_ptr<const Image> image;
+    if (c.image && points_[i].image && points_[j].image)
+      image =
+        std::make_unique<const Image>(*points_[end].image + from_end(*c.image, *points_[i].image, *points_[j].image));
+    keep(complex, h, {i, j, add_point(position, points_[end].plane, std::move(image))});
+  }
+
   // The motion that takes an edge, and its whole plane, to an edge of the same length in another plane.
   struct Motion
   {
@@ -305,10 +350,11 @@ private:
   std::uint32_t moved(std::uint32_t point, const Motion& m, std::uint32_t other)
   {
     // From the nearer end of the edge, so that the error of the rotation moves it less.
-    const auto from_end = [&](std::size_t end) { return points_[point].position - points_[m.from[end]].position; };
-    const std::size_t end = from_end(1).modulus() < from_end(0).modulus() ? 1 : 0;
-    const Vector position = points_[m.to[end]].position + from_end(end) * m.turn;
-    if (!(position.radius() < largest_radius * (position - points_[other].position).modulus()))
+    const Vector& old = points_[point].position;
+    const auto end_of_edge = [&](std::size_t end) -> const Vector& { return points_[m.from[end]].position; };
+    const std::size_t end = distance(old, end_of_edge(1)) < distance(old, end_of_edge(0)) ? 1 : 0;
+    const Vector position = points_[m.to[end]].position + (old - end_of_edge(end)) * m.turn;
+    if (!is_accurate(position, points_[other].position))
       return none;
     std::unique_ptr<const Image> image;
     if (m.turn_of_images && points_[point].image)
