@@ -28,6 +28,7 @@
 #include "engine/Angle_sum.cpp"
 #include "engine/Engine_numbers.cpp"
 #include "engine/Exact_engine.cpp"
+#include "engine/Exact_engine_corners.cpp"
 #include "engine/Exact_engine_signs.cpp"
 #include "engine/Saved_triangulation.cpp"
 #include "flips/default_traits.cpp"
