@@ -6,6 +6,7 @@
 // Definitions of nearness.h.
 
 #include "nearness.h"
+#include "Straight_map.h"
 
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -70,7 +72,22 @@ std::vector<std::uint32_t> Box_tree::near(const Space_box& box, double distance)
 
 namespace {
 
+using Point = std::array<double, 3>;
+using Part = std::vector<Point>; // a convex polygon in a triangle
 using Numbers = std::vector<std::uint32_t>;
+
+Point between(const Point& p, const Point& q, double t)
+{
+  return {(1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1], (1 - t) * p[2] + t * q[2]};
+}
+
+Space_box box_of(const Part& part)
+{
+  Space_box result(Space_triangle{part[0], part[1], part[2]});
+  for (const Point& p : part)
+    result.add(Space_box(Space_triangle{p, p, p}));
+  return result;
+}
 
 class Nearness
 {
@@ -83,39 +100,49 @@ public:
 
   bool operator()()
   {
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-      if (!are_parts_near(i, triangles_[i], tree_.near(Space_box(triangles_[i]), distance_), deepest))
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      const Numbers candidates = tree_.near(Space_box(triangles_[i]), distance_);
+      if (!is_part_near(i, {triangles_[i].begin(), triangles_[i].end()}, candidates, candidates, deepest))
         return false;
+    }
     return true;
   }
 
 private:
   static constexpr int deepest = 30;
 
-  bool is_near(const std::array<double, 3>& p, std::uint32_t other) const
+  double squared_distance(const Point& p, std::uint32_t other) const
   {
     const Space_box& box = tree_.box(other);
     for (std::size_t i = 0; i < 3; ++i)
       if (p[i] < box.low[i] - distance_ || p[i] > box.high[i] + distance_)
-        return false;
+        return std::numeric_limits<double>::infinity();
     Space_triangle seen = others_[other];
     for (auto& q : seen)
       for (std::size_t i = 0; i < 3; ++i)
         q[i] -= p[i];
-    return nearest_to_origin(seen).second <= distance_ * distance_;
+    return nearest_to_origin(seen).second;
+  }
+  bool is_near(const Point& p, std::uint32_t other) const
+  {
+    return squared_distance(p, other) <= distance_ * distance_;
   }
 
-  // The distance from a convex set is convex, so it is largest at a corner.
-  bool are_parts_near(std::uint32_t number, const Space_triangle& triangle, const Numbers& candidates, int depth)
+  // A part that no single triangle is near to is divided along the sides of the one nearest to its middle, or at the
+  // middle of its longest side if that divides nothing.
+  // \param divisors the candidates that may still divide it
+  bool is_part_near(std::uint32_t number, const Part& part, const Numbers& candidates, const Numbers& divisors,
+                    int depth)
   {
     if (rest_-- == 0)
       return false;
-    std::array<bool, 3> is_corner_near{};
+    // The distance from a convex set is convex, so it is largest at a corner.
+    std::vector<bool> is_corner_near(part.size());
     for (std::uint32_t other : candidates) {
       bool are_all = true;
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < part.size(); ++i)
         if (are_all || !is_corner_near[i]) {
-          const bool is_one = is_near(triangle[i], other);
+          const bool is_one = is_near(part[i], other);
           is_corner_near[i] = is_corner_near[i] || is_one;
           are_all = are_all && is_one;
         }
@@ -124,35 +151,89 @@ private:
         return true;
       }
     }
-    if (depth == 0 || !(is_corner_near[0] && is_corner_near[1] && is_corner_near[2]))
+    if (depth == 0 || std::count(is_corner_near.begin(), is_corner_near.end(), false) > 0)
       return false;
-    std::size_t i = 0; // the longest side is divided
-    for (std::size_t k = 1; k < 3; ++k)
-      if (square_of_side(triangle, k) > square_of_side(triangle, i))
-        i = k;
-    Space_triangle first = triangle, second = triangle;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      first[i][axis] = second[(i + 1) % 3][axis] = (triangle[i][axis] + triangle[(i + 1) % 3][axis]) / 2;
-    return are_parts_near(number, first, near(Space_box(first), candidates), depth - 1) &&
-           are_parts_near(number, second, near(Space_box(second), candidates), depth - 1);
+    Point middle{};
+    for (const Point& p : part)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        middle[axis] += p[axis] / double(part.size());
+    std::pair<double, std::uint32_t> nearest{distance_ * distance_, none};
+    for (std::uint32_t other : divisors)
+      nearest = (std::min)(nearest, {squared_distance(middle, other), other});
+    const auto is_rest_near = [&](const Part& rest, const Numbers& left, int deeper) {
+      return is_part_near(number, rest, near(rest, candidates), near(rest, left), deeper);
+    };
+    if (nearest.second == none)
+      return bisect(part, [&](const Part& rest) { return is_rest_near(rest, divisors, depth - 1); });
+    Numbers left = divisors;
+    left.erase(std::find(left.begin(), left.end(), nearest.second));
+    Part inside = part;
+    const Space_triangle& divisor = others_[nearest.second];
+    const Point normal = normal_of(divisor);
+    for (std::size_t i = 0; i < 3 && !inside.empty(); ++i) {
+      const Point outward = cross_product(difference(divisor[(i + 1) % 3], divisor[i]), normal);
+      Part outside = cut_off(inside, divisor[i], outward);
+      if (!outside.empty() && !is_rest_near(outside, left, depth))
+        return false;
+    }
+    return inside.empty() || is_rest_near(inside, left, depth);
   }
 
-  Numbers near(const Space_box& box, const Numbers& before) const
+  // Cuts off what lies beyond a plane.
+  static Part cut_off(Part& part, const Point& on_plane, const Point& outward)
+  {
+    std::vector<double> heights;
+    for (const Point& p : part)
+      heights.push_back(scalar_product(difference(p, on_plane), outward));
+    if (std::all_of(heights.begin(), heights.end(), [](double x) { return x <= 0; }))
+      return {};
+    if (std::all_of(heights.begin(), heights.end(), [](double x) { return x >= 0; }))
+      return std::exchange(part, {});
+    Part inside, outside;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const std::size_t next = (i + 1) % part.size();
+      const double here = heights[i], there = heights[next];
+      if (here <= 0)
+        inside.push_back(part[i]);
+      if (here >= 0)
+        outside.push_back(part[i]);
+      if ((here < 0 && there > 0) || (here > 0 && there < 0)) {
+        inside.push_back(between(part[i], part[next], here / (here - there)));
+        outside.push_back(inside.back());
+      }
+    }
+    part = inside;
+    return outside;
+  }
+
+  template <class Is_near>
+  static bool bisect(const Part& part, const Is_near& is_near)
+  {
+    const std::size_t n = part.size();
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < n; ++i)
+      if (squared_distance_3(part[i], part[(i + 1) % n]) > squared_distance_3(part[longest], part[(longest + 1) % n]))
+        longest = i;
+    const auto corner = [&](std::size_t i) { return part[(longest + i) % n]; };
+    const std::size_t opposite = (n + 1) / 2;
+    const Point middle = between(corner(0), corner(1), 0.5);
+    Part first{middle}, second{middle};
+    for (std::size_t i = 1; i <= opposite; ++i)
+      first.push_back(corner(i));
+    for (std::size_t i = opposite; i <= n; ++i)
+      second.push_back(corner(i));
+    return is_near(first) && is_near(second);
+  }
+
+  Numbers near(const Part& part, const Numbers& before) const
   {
     Numbers result;
     std::copy_if(before.begin(), before.end(), std::back_inserter(result),
-                 [&](std::uint32_t i) { return box.is_near(tree_.box(i), distance_); });
+                 [&, box = box_of(part)](std::uint32_t i) { return box.is_near(tree_.box(i), distance_); });
     return result;
   }
 
-  static double square_of_side(const Space_triangle& t, std::size_t k)
-  {
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum += (t[k][axis] - t[(k + 1) % 3][axis]) * (t[k][axis] - t[(k + 1) % 3][axis]);
-    return sum;
-  }
-
+  static constexpr auto none = (std::numeric_limits<std::uint32_t>::max)();
   const std::vector<Space_triangle>&triangles_, &others_;
   const Box_tree tree_; // of the others
   const double distance_;
