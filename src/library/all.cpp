@@ -61,6 +61,7 @@
 #include "straight/Thin_part_merger.cpp"
 #include "straight/Thin_part_separation.cpp"
 #include "straight/Thin_part_steps.cpp"
+#include "straight/Thin_part_zips.cpp"
 #include "straight/crossing_triangles.cpp"
 #include "straight/nearness.cpp"
 #include "straight/straight_mesh.cpp"

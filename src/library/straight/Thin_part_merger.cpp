@@ -22,7 +22,7 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
   : map_(map), mesh_(mesh), progress_(progress), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
     most_((2 * maximum_deviation - map.bound(maximum_deviation)) * (1 - 1e-9)), at_vertex_(map.points().size()),
     marked_(map.points().size()), images_(map.points().size()), is_of_film_(map.points().size()),
-    is_waiting_(mesh.triangles.size()), is_stuck_(mesh.triangles.size())
+    is_at_film_(map.points().size()), is_waiting_(mesh.triangles.size()), is_stuck_(mesh.triangles.size())
 {
   std::iota(images_.begin(), images_.end(), 0u);
   Disjoint_sets components(map.points().size());
@@ -78,8 +78,10 @@ Straight_map::Distance Thin_part_merger::operator()()
       break;
     improve_all();
   }
-  if (maximum_deviation_ > 0)
+  if (maximum_deviation_ > 0) {
+    leave_crumbs_out();
     remove_pieces();
+  }
   find_images_of_films();
   const Straight_map::Distance result = largest_distance();
   for (std::uint32_t& image : images_)
@@ -270,6 +272,7 @@ std::uint32_t Thin_part_merger::add_vertex(const Point& p)
   at_vertex_.emplace_back();
   marked_.emplace_back();
   is_of_film_.push_back(false);
+  is_at_film_.push_back(false);
   return map_.add_vertex(p);
 }
 

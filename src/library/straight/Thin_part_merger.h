@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
 #include <optional>
@@ -146,9 +147,19 @@ private:
   {
     std::uint32_t a, b, c, d, s, t;
   };
+  // What triangles enclose.
+  struct Bulk
+  {
+    double volume = 0, area = 0;
+    bool is_closed = true;
+    std::uint32_t origin = 0; // a corner
+  };
+  void add(Bulk& bulk, std::uint32_t t) const;
+  bool is_thick(const Bulk& bulk) const;
   std::vector<bool> find_solids() const;
   double thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles, const Box_tree& tree) const;
   void leave_films_out();
+  void leave_crumbs_out();
   bool is_folded(std::uint32_t t) const;
   double area(const Triangle& t) const;
   bool can_be_left_out(Change& change);
@@ -157,7 +168,13 @@ private:
   std::vector<std::uint32_t> flatten_fold(const Fold& fold);
   std::vector<std::uint32_t> zip_to_corner(const Fold& fold);
   std::vector<std::uint32_t> zip_to_side(const Fold& fold);
+  std::vector<std::uint32_t> flip_to_side(const Fold& fold);
   std::vector<std::uint32_t> zip_to_crossing(const Fold& fold);
+  using Line = std::array<std::uint32_t, 2>; // between vertices
+  std::uint32_t add_copy(std::uint32_t t, std::uint32_t v);
+  bool flip_across(std::deque<Line> crossed, std::uint32_t from, std::uint32_t to, const Point& normal,
+                   std::vector<std::uint32_t>& changed);
+  double side(const Point& normal, std::uint32_t v, std::uint32_t w, std::uint32_t x) const;
   void leave_out(Change& change, std::uint32_t t, Triangle corners);
   void change_triangle(Change& change, std::uint32_t t, const Triangle& corners);
   void divide_triangle(Change& change, std::uint32_t t, std::uint32_t v, std::uint32_t w, std::uint32_t x);
@@ -193,10 +210,10 @@ private:
   std::optional<Box_tree> face_tree_;                      // of the surface in each face, if nothing must cross
   std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
-  std::vector<bool> is_of_film_;                 // whether a vertex is one of triangles that are left out
-  std::vector<std::uint32_t> vertices_of_films_; // of the triangulation, maybe several times
-  std::vector<bool> is_solid_;                   // for each component, whether films of it may be left out
-  const double near_ = maximum_deviation_ / 2;   // what is nearer becomes one where sheets are zipped
+  std::vector<bool> is_of_film_;               // whether a vertex is one of triangles that are left out
+  std::vector<bool> is_at_film_;               // whether triangles at a vertex were left out
+  std::vector<bool> is_solid_;                 // for each component, whether films of it may be left out
+  const double near_ = maximum_deviation_ / 2; // what is nearer becomes one where sheets are zipped
   double area_of_films_ = 0;
   Point place_of_film_{};
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step

@@ -22,6 +22,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 void Thin_part_merger::move_to_copy(std::uint32_t v, const std::vector<std::uint32_t>& triangles)
 {
   const std::uint32_t copy = add_vertex(map_.points()[v]);
+  is_at_film_[copy] = is_at_film_[v];
   for (std::uint32_t t : triangles) {
     Triangle corners = mesh_.triangles[t];
     *std::find(corners.begin(), corners.end(), v) = copy;
