@@ -41,8 +41,8 @@ void Thin_part_merger::add(Bulk& bulk, std::uint32_t t) const
 // Whether it is thicker than a film on average.
 bool Thin_part_merger::is_thick(const Bulk& bulk) const
 {
-  const double d = maximum_deviation_, volume = std::abs(bulk.volume);
-  return 2 * volume > d * bulk.area && volume > d * d * d;
+  const double volume = std::abs(bulk.volume);
+  return 2 * volume > maximum_deviation_ * bulk.area && volume > smallest_volume();
 }
 
 // Components that enclose a volume, and are not films as a whole. Nothing would be left of the latter.
@@ -58,7 +58,7 @@ std::vector<bool> Thin_part_merger::find_solids() const
     bulk.volume = std::abs(bulk.volume);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     if (const Bulk& bulk = bulks[component_of(t)];
-        !is_removed(mesh_.triangles[t]) && bulk.is_closed && !is_thick(bulk)) {
+        !is_removed(mesh_.triangles[t]) && bulk.is_closed && !is_thick(bulk) && bulk.volume > smallest_volume()) {
       triangles.push_back(t);
       boxes.emplace_back(map_.corners(mesh_.triangles[t]));
     }
@@ -89,16 +89,19 @@ double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::ui
   for (const Point& p : corners)
     for (std::size_t i = 0; i < 3; ++i)
       middle[i] += p[i] / 3;
-  double result = maximum_deviation_;
-  for (std::uint32_t i : tree.near(Space_box({middle, middle, middle}), maximum_deviation_)) {
-    Space_triangle seen = map_.corners(mesh_.triangles[triangles[i]]);
-    if (scalar_product(normal_of(seen), normal) >= 0 || component_of(triangles[i]) != component_of(t))
-      continue;
-    for (Point& p : seen)
-      p = difference(p, middle);
-    result = (std::min)(result, std::sqrt(nearest_to_origin(seen).second));
+  for (double d = maximum_deviation_ / 256;; d *= 4) {
+    double result = (std::min)(d, maximum_deviation_);
+    for (std::uint32_t i : tree.near(Space_box({middle, middle, middle}), result)) {
+      Space_triangle seen = map_.corners(mesh_.triangles[triangles[i]]);
+      if (scalar_product(normal_of(seen), normal) >= 0 || component_of(triangles[i]) != component_of(t))
+        continue;
+      for (Point& p : seen)
+        p = difference(p, middle);
+      result = (std::min)(result, std::sqrt(nearest_to_origin(seen).second));
+    }
+    if (result < d || d >= maximum_deviation_)
+      return result;
   }
-  return result;
 }
 
 // Leaves out films, which enclose no volume, from the folds at their rims inward.

@@ -155,6 +155,7 @@ private:
     std::uint32_t origin = 0; // a corner
   };
   void add(Bulk& bulk, std::uint32_t t) const;
+  double smallest_volume() const { return maximum_deviation_ * maximum_deviation_ * maximum_deviation_; }
   bool is_thick(const Bulk& bulk) const;
   std::vector<bool> find_solids() const;
   double thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles, const Box_tree& tree) const;
@@ -215,6 +216,7 @@ private:
   std::vector<bool> is_solid_;                 // for each component, whether films of it may be left out
   const double near_ = maximum_deviation_ / 2; // what is nearer becomes one where sheets are zipped
   double area_of_films_ = 0;
+  std::size_t number_of_zips_ = 0, number_of_flipped_sides_ = 0;
   Point place_of_film_{};
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step
   Gain needed_gain_;                        // more is needed for a step

@@ -187,12 +187,14 @@ std::vector<std::uint32_t> Thin_part_merger::flip_to_side(const Fold& fold)
 {
   const auto [a, b, c, d, s, t] = fold;
   const Point normal = normal_of(map_.corners({a, b, c}));
-  if (c == d)
+  constexpr std::size_t most_flips_for_each = 8; // pair of triangles that goes, so that the steps end
+  if (c == d || number_of_flipped_sides_ > most_flips_for_each * (number_of_zips_ + most_around))
     return {};
   for (std::uint32_t from : {b, a}) {
     std::uint32_t left = from == b ? a : d, right = from == b ? d : b, before = t;
     if (!(side(normal, from, c, left) > 0 && side(normal, from, c, right) < 0 && side(normal, left, right, c) > 0))
       continue;
+    ++number_of_flipped_sides_;
     std::deque<Line> crossed;
     std::vector<std::uint32_t> changed;
     std::optional<std::uint32_t> to;
@@ -391,6 +393,8 @@ std::vector<std::uint32_t> Thin_part_merger::finish(const Change& change, const 
   for (std::size_t i = 0; i < change.triangles.size(); ++i)
     if (is_of_film_[change.corners[i][0]])
       area_of_films_ += area(change.corners[i]) / 2;
+  number_of_zips_ += std::any_of(change.corners.begin(), change.corners.end(),
+                                 [this](const Triangle& corners) { return is_of_film_[corners[0]]; });
   make(change);
   for (std::uint32_t v : {fold.a, fold.b}) {
     const std::uint32_t w = v == fold.a ? fold.b : fold.a;

@@ -111,10 +111,20 @@ Surface_crossings::Surface_crossings(const Common_subdivision& subdivision,
     const Halfedge_index h = input.halfedge(f);
     triangles.push_back({input.source(h).idx(), input.target(h).idx(), input.source(input.prev(h)).idx()});
   }
-  for (const auto& [s, t] : crossing_triangles(points, triangles, go_on)) {
-    crossed_[s].push_back(t);
-    crossed_[t].push_back(s);
-  }
+  const auto with_neighbors = [&](std::uint32_t f) { // since a line where triangles cross may move to them
+    std::vector<std::uint32_t> result{f};
+    const Halfedge_index h = input.halfedge(Face_index(f));
+    for (Halfedge_index side : {h, input.next(h), input.prev(h)})
+      if (!input.is_border(input.edge(side)))
+        result.push_back(input.face(input.opposite(side)).idx());
+    return result;
+  };
+  for (const auto& [s, t] : crossing_triangles(points, triangles, go_on))
+    for (std::uint32_t f : with_neighbors(s))
+      for (std::uint32_t g : with_neighbors(t)) {
+        crossed_[f].push_back(g);
+        crossed_[g].push_back(f);
+      }
 }
 
 bool Surface_crossings::has(const std::vector<Face_index>& faces, const std::vector<Face_index>& others) const

@@ -34,12 +34,12 @@ class Surface_crossings
 public:
   Surface_crossings(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
                     const std::function<void()>& go_on);
-  // Whether an input face below one of these faces crosses one below one of the others.
+  // Whether an input face below one of these faces, or its neighbor, crosses one below one of the others.
   bool has(const std::vector<Face_index>& faces, const std::vector<Face_index>& others) const;
 
 private:
   std::vector<std::vector<std::uint32_t>> input_faces_; // below each face, in order
-  std::vector<std::vector<std::uint32_t>> crossed_;     // the input faces that an input face crosses
+  std::vector<std::vector<std::uint32_t>> crossed_;     // the input faces that an input face or its neighbor crosses
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
