@@ -22,7 +22,8 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
   : map_(map), mesh_(mesh), progress_(progress), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
     most_((2 * maximum_deviation - map.bound(maximum_deviation)) * (1 - 1e-9)), at_vertex_(map.points().size()),
     marked_(map.points().size()), images_(map.points().size()), is_of_film_(map.points().size()),
-    is_at_film_(map.points().size()), is_waiting_(mesh.triangles.size()), is_stuck_(mesh.triangles.size())
+    is_merged_(map.points().size()), is_at_film_(map.points().size()), is_waiting_(mesh.triangles.size()),
+    is_stuck_(mesh.triangles.size())
 {
   std::iota(images_.begin(), images_.end(), 0u);
   Disjoint_sets components(map.points().size());
@@ -273,6 +274,7 @@ std::uint32_t Thin_part_merger::add_vertex(const Point& p)
   marked_.emplace_back();
   is_of_film_.push_back(false);
   is_at_film_.push_back(false);
+  is_merged_.push_back(false);
   return map_.add_vertex(p);
 }
 

@@ -212,6 +212,7 @@ private:
   std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
   std::vector<bool> is_of_film_;               // whether a vertex is one of triangles that are left out
+  std::vector<bool> is_merged_;                // whether other vertices were merged with a vertex
   std::vector<bool> is_at_film_;               // whether triangles at a vertex were left out
   std::vector<bool> is_solid_;                 // for each component, whether films of it may be left out
   const double near_ = maximum_deviation_ / 2; // what is nearer becomes one where sheets are zipped

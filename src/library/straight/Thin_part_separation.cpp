@@ -23,6 +23,7 @@ void Thin_part_merger::move_to_copy(std::uint32_t v, const std::vector<std::uint
 {
   const std::uint32_t copy = add_vertex(map_.points()[v]);
   is_at_film_[copy] = is_at_film_[v];
+  is_merged_[copy] = is_merged_[v];
   for (std::uint32_t t : triangles) {
     Triangle corners = mesh_.triangles[t];
     *std::find(corners.begin(), corners.end(), v) = copy;

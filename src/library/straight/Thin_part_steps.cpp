@@ -87,6 +87,7 @@ void Thin_part_merger::merge_vertex(std::uint32_t from, std::uint32_t to)
 {
   if (from < images_.size())
     images_[from] = to;
+  is_merged_[to] = true;
   is_at_film_[to] = is_at_film_[to] || is_at_film_[from];
   for (std::uint32_t w : std::exchange(marked_[from], {})) {
     std::replace(marked_[w].begin(), marked_[w].end(), from, to);

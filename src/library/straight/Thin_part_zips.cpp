@@ -40,7 +40,6 @@ std::array<double, 2> nearest_parameters(const Point& p, const Point& q, const P
 // \return the triangles that have changed; empty if there was nothing to do
 std::vector<std::uint32_t> Thin_part_merger::zip(std::uint32_t a, std::uint32_t b)
 {
-  constexpr double largest_fold = 1; // degrees
   const std::vector<std::uint32_t> there = triangles_at(a, b);
   if (there.size() != 2 || after(mesh_.triangles[there[0]], a) == after(mesh_.triangles[there[1]], a))
     return {};
@@ -51,6 +50,9 @@ std::vector<std::uint32_t> Thin_part_merger::zip(std::uint32_t a, std::uint32_t 
   fold.c = after(mesh_.triangles[fold.s], b);
   fold.d = after(mesh_.triangles[fold.t], a);
   const auto& points = map_.points();
+  // In degrees. Where a wall or a film was between them, curved sheets may have other facets on each side.
+  const auto was_apart = [this](std::uint32_t v) { return is_merged_[v] || is_at_film_[v]; };
+  const double largest_fold = was_apart(a) && was_apart(b) ? 20 : 1;
   if (is_fixed(a) || is_fixed(b) || is_fixed(fold.c) || is_fixed(fold.d) ||
       !(dihedral_angle(points[a], points[b], points[fold.c], points[fold.d]) < largest_fold))
     return {};
