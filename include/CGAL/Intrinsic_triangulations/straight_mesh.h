@@ -137,9 +137,10 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
 /// CAD models have edges and gaps that are shorter than any useful triangle. With `maximum_deviation`, vertices are
 /// merged or moved and edges flipped where that makes thin triangles better, or where edges are shorter than that and
 /// nothing does. Thin tubes are cut and closed, pieces without any thickness that lie along others are left out, and wires
-/// that do not become rods. Films of closed surfaces go: two sheets, around material or a gap, that meet at less than a
-/// degree. The triangulation and the surface stay as they are, and the triangles stay closed where the surface is.
-/// Distances are measured between both surfaces; no change goes beyond that bound, except that films are missing.
+/// that do not become rods. Films of closed surfaces go: two sheets, around material or a gap, that a wall thinner than the
+/// deviation joins, or a fold below a degree. The triangulation and the surface stay as they are, and the triangles stay
+/// closed where the surface is. Distances are measured between both surfaces; no change goes beyond that bound, except
+/// that films are missing.
 ///
 /// \param subdivision the common subdivision of the triangulation and its input
 /// \param points the positions of the vertices of the input
