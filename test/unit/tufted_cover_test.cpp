@@ -338,6 +338,25 @@ TEST(Tufted_cover, parts_without_area_are_dropped)
   EXPECT_EQ(cover.triangulation.connectivity().number_of_faces(), 4u);
 }
 
+// Each of these segments contains all of those before it: looking at their parts one by one would take some minutes.
+TEST(Tufted_cover, segments_that_lie_on_each_other_take_linear_time)
+{
+  constexpr int n = 100000, m = 70000; // the numbers of segments, and of the first vertex of a face with area
+  Points points;
+  for (int i = 0; i <= n; ++i)
+    points.push_back({double(i), 0, 0});
+  points.push_back({m, 1, 0});
+  Triangles triangles;
+  for (int i = 1; i < n; ++i)
+    triangles.push_back({0, i + 1, i});
+  triangles.push_back({m, m + 1, n + 1});
+  const Tufted_cover cover = IT::make_tufted_cover(points, triangles);
+  EXPECT_EQ(cover.report.faces_without_area, std::size_t(m - 1));
+  EXPECT_EQ(cover.flat_edges.size(), std::size_t(n - 1));
+  for (const auto& edge : cover.flat_edges)
+    ASSERT_EQ(edge.length, 1);
+}
+
 TEST(Tufted_cover, nothing_but_faces_without_area_leaves_nothing)
 {
   const Points points = {{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};

@@ -54,20 +54,20 @@ public:
       return;
     for (std::size_t f = 0; f < faces.size(); ++f)
       if (is_flat[f])
-        add_flat_edges(parts_of_longest_side(faces[f]), names[f]);
+        add_flat_edges(longest_side(faces[f]), names[f]);
     for (const Wire& wire : wires)
-      add_flat_edges(parts(wire.ends.first, wire.ends.second), wire.face);
+      add_flat_edges(ends(wire.ends.first, wire.ends.second), wire.face);
     for (std::size_t f = 0; f < faces.size(); ++f)
       if (!is_flat[f])
         split(faces[f], names[f]);
     for (const auto& [ends, face] : faces_of_flat_edges_)
       flat_edges.push_back({ends, face});
+    for (auto edge = middles_.rbegin(); edge != middles_.rend(); ++edge) { // the parts of an edge come after it
+      const auto [one, other] = halves(*edge);
+      edge->second.is_flat = is_flat_edge(one) && is_flat_edge(other);
+    }
     for (std::size_t f = 0; f < faces.size(); ++f)
-      if (is_flat[f]) {
-        const std::vector<Ends> parts = parts_of_longest_side(faces[f]);
-        lonely_faces +=
-          std::all_of(parts.begin(), parts.end(), [this](const Ends& e) { return faces_of_flat_edges_.count(e) > 0; });
-      }
+      lonely_faces += is_flat[f] && is_flat_edge(longest_side(faces[f]));
   }
 
   // Pairs of different vertices that turned out to be at one point. If there are any, nothing else is known.
@@ -98,6 +98,13 @@ private:
     }
   };
 
+  // The vertices between the ends of an edge.
+  struct Middles
+  {
+    std::vector<Index> vertices;
+    bool is_flat = false; // whether all parts of the edge are considered flat
+  };
+
   Ends ends(Index v, Index w) const { return points_[v] < points_[w] ? Ends{v, w} : Ends{w, v}; }
 
   // The corners of a face without area, the one between the two others first.
@@ -116,9 +123,10 @@ private:
     for (Index f = 0; f < faces.size(); ++f)
       if (is_flat[f]) {
         const auto [v, w, x] = middle_first(faces[f]);
-        middles_[ends(w, x)].push_back(v);
+        middles_[ends(w, x)].vertices.push_back(v);
       }
-    for (auto& [edge, middles] : middles_) { // entries that are added come later in the order
+    for (auto& [edge, between] : middles_) { // entries that are added come later in the order
+      std::vector<Index>& middles = between.vertices;
       std::sort(middles.begin(), middles.end(),
                 [this](Index v, Index w) { return points_[v] != points_[w] ? points_[v] < points_[w] : v < w; });
       std::size_t n = 0;
@@ -130,8 +138,8 @@ private:
       }
       middles.resize(n + 1);
       for (std::size_t i = 1; i < middles.size(); ++i) {
-        middles_[ends(edge.first, middles[i])].push_back(middles[i - 1]);
-        middles_[ends(middles[i - 1], edge.second)].push_back(middles[i]);
+        middles_[ends(edge.first, middles[i])].vertices.push_back(middles[i - 1]);
+        middles_[ends(middles[i - 1], edge.second)].vertices.push_back(middles[i]);
       }
     }
   }
@@ -143,7 +151,7 @@ private:
     while (!next.empty()) {
       const auto found = middles_.find(ends(v, next.back()));
       if (found != middles_.end()) {
-        next.push_back(found->first.first == v ? found->second.front() : found->second.back());
+        next.push_back(found->first.first == v ? found->second.vertices.front() : found->second.vertices.back());
         continue;
       }
       result.push_back(v);
@@ -153,26 +161,38 @@ private:
     return result;
   }
 
-  std::vector<Ends> parts_of_longest_side(const Index_triangle& face) const
+  Ends longest_side(const Index_triangle& face) const
   {
-    const auto [v, w, x] = middle_first(face);
-    return parts(w, x);
-  }
-  std::vector<Ends> parts(Index v, Index w) const
-  {
-    std::vector<Index> vertices = path(v, w);
-    vertices.push_back(w);
-    std::vector<Ends> result;
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
-      result.push_back(ends(vertices[i], vertices[i + 1]));
-    return result;
+    const Index_triangle t = middle_first(face);
+    return ends(t[1], t[2]);
   }
 
-  // Considers edges flat until faces with area are found there.
-  void add_flat_edges(const std::vector<Ends>& edges, Index face)
+  std::array<Ends, 2> halves(const std::pair<const Ends, Middles>& edge) const
   {
-    for (const Ends& edge : edges)
-      faces_of_flat_edges_.insert({edge, face});
+    const Index middle = edge.second.vertices.front();
+    return {ends(edge.first.first, middle), ends(middle, edge.first.second)};
+  }
+  bool is_flat_edge(const Ends& edge) const
+  {
+    const auto found = middles_.find(edge);
+    return found != middles_.end() ? found->second.is_flat : faces_of_flat_edges_.count(edge) > 0;
+  }
+
+  // Considers the parts of an edge flat until faces with area are found there. Each edge is divided once: many faces
+  // may lie on each other.
+  void add_flat_edges(const Ends& edge, Index face)
+  {
+    std::vector<Ends> next{edge};
+    while (!next.empty()) {
+      const Ends part = next.back();
+      next.pop_back();
+      const auto found = middles_.find(part);
+      if (found == middles_.end())
+        faces_of_flat_edges_.insert({part, face});
+      else if (!std::exchange(found->second.is_flat, true))
+        for (const Ends& half : halves(*found))
+          next.push_back(half);
+    }
   }
 
   void split(const Index_triangle& t, Index name)
@@ -217,7 +237,7 @@ private:
   }
 
   const Points& points_;
-  std::map<Ends, std::vector<Index>, Contains> middles_; // of edges past vertices, in the order of their points
+  std::map<Ends, Middles, Contains> middles_; // of edges past vertices, in the order of their points
   std::map<Ends, Index, Contains> faces_of_flat_edges_;
 };
 
