@@ -101,7 +101,7 @@ struct Exact_engine::Memory
     if (found == Answer::NO && log.number_of_unread(Flip_log::NUMBERS) != 0)
       prepare(); // if flips are repeated, the integers may not be needed
     if (!metric.points().empty() && log.is_followed_by(Flip_log::INTEGERS)) {
-      auto room = std::int64_t(16 * (complex.number_of_edges() + log.number_of_unread(Flip_log::NUMBERS)));
+      auto room = std::int64_t(4 * (complex.number_of_edges() + log.number_of_unread(Flip_log::NUMBERS)));
       for (Edge_index e : complex.edges())
         if ((room -= correspondence.coordinates().number_of_crossings(e)) < 0) {
           found = Answer::POSITIONS;
