@@ -403,6 +403,17 @@ TEST_F(Refine_command, does_without_a_Laplacian)
 
 // Straight triangles: a roof without its ridge is another surface. The distance runs from the middle of the ridge to an
 // edge below it.
+TEST_F(Refine_command, says_that_a_plate_is_thinner_than_the_deviation)
+{
+  write("plate.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1e-5\n1 0 1e-5\n0 1 1e-5\n1 1 1e-5\n"
+                     "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n"
+                     "3 1 3 7\n3 1 7 5\n");
+  const Command_run run = idt("refine plate.off --maximum-deviation 0.1% --flatten f.off");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "lie on each other")) << run.err;
+  EXPECT_TRUE(contains(run.err, "--maximum-deviation has to be smaller than they are apart")) << run.err;
+}
+
 TEST_F(Refine_command, flattens)
 {
   write("roof.off", "OFF\n4 2 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n3 0 1 3\n3 1 2 3\n"); // a long ridge, which is flipped

@@ -39,10 +39,10 @@ void Thin_part_merger::add(Bulk& bulk, std::uint32_t t) const
 }
 
 // Whether it is thicker than a film on average.
+// \pre its volume is not negative, unless films were subtracted
 bool Thin_part_merger::is_thick(const Bulk& bulk) const
 {
-  const double volume = std::abs(bulk.volume);
-  return 2 * volume > maximum_deviation_ * bulk.area && volume > smallest_volume();
+  return 2 * bulk.volume > maximum_deviation_ * bulk.area && bulk.volume > smallest_volume();
 }
 
 // Components that enclose a volume, and are not films as a whole. Nothing would be left of the latter.
@@ -78,6 +78,13 @@ std::vector<bool> Thin_part_merger::find_solids() const
   return result;
 }
 
+// Whether the angle between two normals is above 120 degrees, as on both sides of a film.
+static bool is_opposite(const std::array<double, 3>& normal, const std::array<double, 3>& other)
+{
+  const double product = scalar_product(normal, other);
+  return product < 0 && 4 * product * product > scalar_product(normal, normal) * scalar_product(other, other);
+}
+
 // How far the nearest triangle that is turned the other way is from the middle of a triangle, or the deviation if it is
 // farther.
 double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles,
@@ -93,7 +100,7 @@ double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::ui
     double result = (std::min)(d, maximum_deviation_);
     for (std::uint32_t i : tree.near(Space_box({middle, middle, middle}), result)) {
       Space_triangle seen = map_.corners(mesh_.triangles[triangles[i]]);
-      if (scalar_product(normal_of(seen), normal) >= 0 || component_of(triangles[i]) != component_of(t))
+      if (component_of(triangles[i]) != component_of(t) || !is_opposite(normal_of(seen), normal))
         continue;
       for (Point& p : seen)
         p = difference(p, middle);
@@ -128,6 +135,58 @@ void Thin_part_merger::leave_films_out()
   }
 }
 
+// Leaves out cavities that are no more than films: components in the box of a solid, turned the other way.
+void Thin_part_merger::leave_cavities_out()
+{
+  struct Component
+  {
+    Bulk bulk;
+    Space_box box;
+    std::vector<std::uint32_t> triangles;
+    bool is_fixed = false;
+  };
+  std::map<std::uint32_t, Component> components;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const Space_box box(map_.corners(mesh_.triangles[t]));
+    Component& component = components.try_emplace(component_of(t), Component{{}, box, {}}).first->second;
+    add(component.bulk, t);
+    component.box.add(box);
+    component.triangles.push_back(t);
+    for (std::uint32_t v : mesh_.triangles[t])
+      component.is_fixed = component.is_fixed || is_fixed(v);
+  }
+  const auto size_of = [](Bulk bulk) {
+    bulk.volume = std::abs(bulk.volume);
+    return bulk;
+  };
+  for (const auto& [root, inner] : components) {
+    const auto is_around = [&, inside = &inner](const auto& pair) {
+      const Component& outer = pair.second;
+      bool result = outer.bulk.volume * inside->bulk.volume < 0 && is_thick(size_of(outer.bulk));
+      for (std::size_t i = 0; i < 3; ++i)
+        result = result && outer.box.low[i] < inside->box.low[i] && inside->box.high[i] < outer.box.high[i];
+      return result;
+    };
+    if (inner.bulk.is_closed && !inner.is_fixed && !is_thick(size_of(inner.bulk)) &&
+        std::any_of(components.begin(), components.end(), is_around))
+      leave_out(inner.triangles, inner.bulk);
+  }
+}
+
+// Leaves out closed triangles as a whole.
+void Thin_part_merger::leave_out(const std::vector<std::uint32_t>& triangles, const Bulk& bulk)
+{
+  Change change;
+  for (std::uint32_t t : triangles)
+    leave_out(change, t, mesh_.triangles[t]);
+  if (!is_near_enough(change))
+    return;
+  if (area_of_films_ == 0)
+    place_of_film_ = map_.points()[mesh_.triangles[triangles[0]][0]];
+  area_of_films_ += bulk.area / 2;
+  make(change);
+}
+
 // Leaves out what stays beside films that were left out and is no more than a film, such as corners at their rims. The
 // largest piece of each solid stays.
 void Thin_part_merger::leave_crumbs_out()
@@ -147,15 +206,9 @@ void Thin_part_merger::leave_crumbs_out()
         for (std::uint32_t v : mesh_.triangles[t])
           is_at_film = is_at_film || is_at_film_[v];
       }
-      if (is_thick(bulk) || !bulk.is_closed || !is_at_film)
-        continue;
-      Change change;
-      for (std::uint32_t t : piece)
-        leave_out(change, t, mesh_.triangles[t]);
-      if (is_near_enough(change)) {
-        make(change);
-        area_of_films_ += bulk.area / 2;
-      }
+      bulk.volume = std::abs(bulk.volume);
+      if (!is_thick(bulk) && bulk.is_closed && is_at_film)
+        leave_out(piece, bulk);
     }
   }
 }

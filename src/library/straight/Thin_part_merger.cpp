@@ -61,6 +61,8 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
 
 Straight_map::Distance Thin_part_merger::operator()()
 {
+  if (maximum_deviation_ > 0)
+    leave_cavities_out();
   // The thinnest come last, and are looked at first.
   std::vector<std::pair<double, std::uint32_t>> bad;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)

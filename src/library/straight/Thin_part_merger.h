@@ -160,7 +160,9 @@ private:
   std::vector<bool> find_solids() const;
   double thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles, const Box_tree& tree) const;
   void leave_films_out();
+  void leave_cavities_out();
   void leave_crumbs_out();
+  void leave_out(const std::vector<std::uint32_t>& triangles, const Bulk& bulk);
   bool is_folded(std::uint32_t t) const;
   double area(const Triangle& t) const;
   bool can_be_left_out(Change& change);
