@@ -253,7 +253,7 @@ TEST(Curve_distances, on_cones)
       lengths.resize(complex.number_of_edges());
       for (IT::Edge_index e : complex.edges()) {
         const auto h = complex.halfedge(e);
-        const auto [v, w] = std::minmax(complex.source(h).idx(), complex.target(h).idx());
+        const auto [v, w] = std::minmax({complex.source(h).idx(), complex.target(h).idx()});
         lengths[e.idx()] = w == tip || v + n == w ? 1 : w < n ? at_1 : v >= n ? 2 * at_1 : across;
       }
       auto triangulation = Triangulation::from_lengths(complex, lengths);

@@ -283,8 +283,9 @@ TEST(Developed_faces, bounds_hold_after_a_flip)
         const Corner exact = expect_within(point(complex.target(complex.next(h))), point(complex.source(h)),
                                            point(complex.target(h)), found);
         // Positions relative to a corner that is far away have its errors.
-        if (n / 8 % 9 == 0)
+        if (n / 8 % 9 == 0) {
           EXPECT_LE(found.four_areas.error(), 0x1p-88 * sqrt(Number(exact.s * exact.s_second))) << n;
+        }
         const auto image = faces.image_of_corner(complex, h);
         ASSERT_TRUE(image);
         const auto expected = IT::internal::image_of_straight_corner(complex, positions, h, rings);

@@ -314,7 +314,7 @@ TEST(Straight_mesh, numbers_regions_and_lines_that_are_left)
   std::vector<bool> is_marked;
   for (IT::Edge_index e : t.input().edges()) { // along the strip
     const IT::Halfedge_index h = t.input().halfedge(e);
-    const auto [v, w] = std::minmax(t.input().source(h).idx(), t.input().target(h).idx());
+    const auto [v, w] = std::minmax({t.input().source(h).idx(), t.input().target(h).idx()});
     is_marked.push_back(w == v + 1 && v / 3 == w / 3 && (v / 3 == 1 || v / 3 == 2));
   }
   const auto largest = [](const std::vector<std::uint32_t>& numbers) {
