@@ -192,9 +192,10 @@ void expect_disk_with_holes(const Band& given, std::size_t holes)
   const IT::Surface_report report = IT::examine_polygons(repaired.points, repaired.triangles);
   EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
   EXPECT_EQ(report.number_of_components, 1u);
-  if (given.touching_holes == 0)
+  if (given.touching_holes == 0) {
     EXPECT_EQ(long(repaired.points.size()) - long(report.number_of_edges) + long(report.number_of_faces),
               1 - long(holes));
+  }
   Exact_vector sum = {0, 0, 0};
   for (const auto& triangle : repaired.triangles) {
     const Exact_vector part = area(repaired.points, triangle);

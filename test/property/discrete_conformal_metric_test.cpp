@@ -278,8 +278,9 @@ TEST(Discrete_conformal_metric, makes_a_flat_ring_a_cylinder)
     for (std::size_t v = 0; v < surface.points.size(); ++v)
       difference.push_back(metric.u[v] + std::log(std::hypot(surface.points[v][0], surface.points[v][1])));
     const auto [least, most] = std::minmax_element(difference.begin(), difference.end());
-    if (last > 0)
+    if (last > 0) {
       EXPECT_LT(*most - *least, last / 3) << "the error falls with the square of the length of edges";
+    }
     last = *most - *least;
   }
   EXPECT_LT(last, 0.01);
@@ -326,8 +327,9 @@ TEST(Discrete_conformal_metric, has_the_angles_of_the_border_that_were_asked_for
     const std::vector<double> sums = sums_of_angles(metric);
     for (std::size_t v = 0; v < sums.size(); ++v)
       for (const auto& [corner, wanted] : angles)
-        if (metric.vertices[v] == corner)
+        if (metric.vertices[v] == corner) {
           EXPECT_NEAR(sums[v], 2 * wanted, 1e-9); // of both copies
+        }
     EXPECT_THROW(IT::discrete_conformal_metric(
                    t, CGAL::parameters::boundary_angles(std::vector<std::pair<Vertex_index, double>>{{border[0], 2.}})
                         .number_of_cones(0)),

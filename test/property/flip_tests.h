@@ -237,9 +237,9 @@ TYPED_TEST(Flip, leaves_constrained_edges_alone)
     for (IT::Edge_index e : recorder.flips)
       EXPECT_FALSE(is_constrained[e.idx()]);
     for (IT::Edge_index e : c.edges())
-      if (!is_constrained[e.idx()])
+      if (!is_constrained[e.idx()]) {
         EXPECT_TRUE(CGAL::certainly(t.is_locally_Delaunay(e)));
-      else {
+      } else {
         EXPECT_EQ(CGAL::to_double(t.length(e)), CGAL::to_double(unflipped.length(e)));
         EXPECT_EQ(c.source(c.halfedge(e)), unflipped.connectivity().source(c.halfedge(e)));
         EXPECT_EQ(c.target(c.halfedge(e)), unflipped.connectivity().target(c.halfedge(e)));

@@ -245,10 +245,11 @@ TEST(Geodesics_on_data, NoLineIsLost)
       const IT::Surface_direction start{{h, {number(), number(), number()}}, {number() - 500.5, number() - 500.5}};
       const double wanted = ruler.size();
       const IT::Traced_geodesic line = IT::trace_geodesic(t, start, wanted);
-      if (line.status == IT::Trace_status::AT_LENGTH)
+      if (line.status == IT::Trace_status::AT_LENGTH) {
         EXPECT_EQ(line.length, wanted);
-      else
+      } else {
         EXPECT_LE(line.length, wanted);
+      }
       EXPECT_NEAR(double(ruler.length(line.points)), line.length, 1e-12 * wanted) << path;
       if (i < 20) {
         const IT::Traced_geodesic same = IT::trace_geodesic_in_triangulation(flipped, start, wanted);

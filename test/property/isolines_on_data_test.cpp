@@ -103,11 +103,12 @@ TEST(Isolines_on_data, AreClosedAndComplete)
             if (line.points[i].dimension() == 1)
               ++crossings[level][input.edge(side_of(input, line.points[i])).idx()];
           for (const IT::Surface_point& end : {line.points.front(), line.points.back()})
-            if (!is_closed)
+            if (!is_closed) {
               EXPECT_TRUE(end.dimension() == 0 || input.is_border(input.opposite(side_of(input, end))))
                 << path << ' ' << tolerance << ' ' << line.distance << ' ' << line.points.size() << ' '
                 << input.face(end.halfedge) << ' ' << end.coordinates[0] << ' ' << end.coordinates[1] << ' '
                 << end.coordinates[2];
+            }
           ++number_of_lines;
           number_of_points += line.points.size();
         }
@@ -119,8 +120,9 @@ TEST(Isolines_on_data, AreClosedAndComplete)
             const IT::Halfedge_index h = input.halfedge(e);
             const double a = distances[input.source(h).idx()] - levels[i],
                          b = distances[input.target(h).idx()] - levels[i];
-            if (std::abs(a) > 1e-12 * largest && std::abs(b) > 1e-12 * largest)
+            if (std::abs(a) > 1e-12 * largest && std::abs(b) > 1e-12 * largest) {
               EXPECT_EQ(crossings[i][e.idx()] % 2, (a < 0) != (b < 0) ? 1 : 0) << path << ' ' << e.idx();
+            }
           }
         // The distance from a point back to the vertex is the same.
         if (!is_curve)

@@ -497,8 +497,9 @@ TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (const auto& at : all) {
         const Surface_point p = IT::sources_on_cover(cover, triangles, {{{t, at}}}).front().parts.front().front();
-        if (t >= 3)
+        if (t >= 3) {
           EXPECT_EQ(cover.face_of[input.face(p.halfedge).idx()], t);
+        }
         EXPECT_GE(*std::min_element(p.coordinates.begin(), p.coordinates.end()), 0);
         EXPECT_NEAR(apart(IT::point_in_space(input, of_cover, p), position(t, at)), 0, 1e-14);
       }

@@ -843,10 +843,11 @@ TEST(TracedLine, OnAPlane)
                to = IT::point_in_space(input, surface.points, line.points.back());
     const double dx = to[0] - from[0], dy = to[1] - from[1];
     EXPECT_NEAR(std::hypot(dx, dy), line.length, 1e-13);
-    if (line.status == IT::Trace_status::AT_LENGTH)
+    if (line.status == IT::Trace_status::AT_LENGTH) {
       EXPECT_EQ(line.length, 7);
-    else
+    } else {
       EXPECT_LT((std::min)({to[0], 40 - to[0], to[1], 30 - to[1]}), 1e-13);
+    }
     for (const IT::Surface_point& p : line.points) {
       const auto x = IT::point_in_space(input, surface.points, p);
       EXPECT_NEAR((x[0] - from[0]) * dy, (x[1] - from[1]) * dx, 1e-12);

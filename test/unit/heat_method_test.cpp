@@ -779,8 +779,9 @@ TEST(Heat_method, from_points_curves_and_regions)
         for (std::size_t v = 0; v < exact.size(); ++v) {
           sum += std::abs(method->distances()[v] - exact[v]);
           most = (std::max)(most, std::abs(method->distances()[v] - exact[v]));
-          if (exact[v] == 0)
+          if (exact[v] == 0) {
             EXPECT_EQ(method->distances()[v], 0);
+          }
         }
         EXPECT_LT(sum, method->mean_edge_length() * double(exact.size()));
         EXPECT_LT(most, 3 * method->mean_edge_length());

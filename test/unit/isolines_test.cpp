@@ -199,8 +199,9 @@ TEST(Isolines, circles_in_a_plane)
         std::copy_if(found.lines.begin(), found.lines.end(), std::back_inserter(at),
                      [d](const IT::Surface_line& line) { return line.distance == d; });
         ASSERT_EQ(at.size(), 1u) << d;
-        if (tolerance == 0)
+        if (tolerance == 0) {
           EXPECT_NEAR(length(mesh, triangulation, at), 2 * pi * d, 2e-2 * d);
+        }
       }
       EXPECT_EQ(found.lines.back().distance, 12);
     }

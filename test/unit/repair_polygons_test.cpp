@@ -168,8 +168,9 @@ TEST(Repair_polygons, says_what_became_a_fan)
     const IT::Repaired_polygons repaired = IT::repair_polygons(points, Polygons{polygon});
     EXPECT_EQ(repaired.triangles.size(), n - 2);
     ASSERT_EQ(repaired.repairs.size(), n == 100 ? 1u : 2u);
-    if (n == 500)
+    if (n == 500) {
       EXPECT_EQ(IT::message(repaired.repairs[1]).substr(0, 26), "face 0 (500 corners) is 1 ");
+    }
   }
 }
 

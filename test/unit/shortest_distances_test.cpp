@@ -448,8 +448,9 @@ TEST(Geodesic_distances, exceed_no_way_where_many_faces_meet)
         const auto found = IT::geodesic_distances(cover, {Vertex_index(source)}, with_tolerance(tolerance));
         EXPECT_TRUE(found.is_complete);
         for (std::size_t v = 0; v < points.size(); ++v)
-          if (longer[v] < std::numeric_limits<double>::infinity())
+          if (longer[v] < std::numeric_limits<double>::infinity()) {
             EXPECT_LE(found.distances[v], longer[v] * (1 + (tolerance > 0 ? 1e-3 : 1e-12))) << seed << ' ' << v;
+          }
       }
     }
   }

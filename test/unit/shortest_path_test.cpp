@@ -673,9 +673,9 @@ TEST(Shortest_path_on_triangles, are_as_long_as_distances)
     const std::vector<double> distances =
       IT::geodesic_distances(cover, {Vertex_index(0)}, CGAL::parameters::tolerance(0.)).distances;
     for (std::uint32_t v = 1; v < n; ++v) {
-      if (!std::isfinite(distances[v]))
+      if (!std::isfinite(distances[v])) {
         EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, v, 0), IT::Invalid_argument_error);
-      else if (distances[v] > 0 && ++number_of_pairs)
+      } else if (distances[v] > 0 && ++number_of_pairs)
         expect_shortest(IT::shortest_path_on_triangles(points, triangles, v, 0), points, triangles, distances[v]);
     }
   }
