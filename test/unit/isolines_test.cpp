@@ -536,7 +536,7 @@ TEST(Isolines, wrong_numbers)
   };
   find();
   EXPECT_GT(calls, 1u);
-  most = calls;
+  most = (calls + 1) / 2; // as another run may ask less often
   calls = 0;
   EXPECT_THROW(find(), IT::Cancelled_error);
 }

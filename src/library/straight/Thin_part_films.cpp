@@ -213,11 +213,9 @@ void Thin_part_merger::leave_crumbs_out()
   }
 }
 
-// Whether a triangle of a solid lies on the one beyond a side.
+// Whether a triangle lies on the one beyond a side.
 bool Thin_part_merger::is_folded(std::uint32_t t) const
 {
-  if (is_solid_.empty() || !is_solid_[component_of(t)])
-    return false;
   const Triangle& corners = mesh_.triangles[t];
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = corners[i], w = corners[(i + 1) % 3];

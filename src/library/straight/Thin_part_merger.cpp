@@ -191,7 +191,8 @@ bool Thin_part_merger::is_bad(std::uint32_t t) const
   return !is_removed(corners) && !is_left_out(t) &&
          (is_thin(t, smallest_angle(map_.corners(corners)).first) ||
           number_of_triangles_at(corners[0], corners[1]) > 2 || number_of_triangles_at(corners[1], corners[2]) > 2 ||
-          number_of_triangles_at(corners[2], corners[0]) > 2 || is_folded(t));
+          number_of_triangles_at(corners[2], corners[0]) > 2 ||
+          (!is_solid_.empty() && is_solid_[component_of(t)] && is_folded(t)));
 }
 
 std::vector<std::uint32_t> Thin_part_merger::triangles_at(std::uint32_t v, std::uint32_t w) const

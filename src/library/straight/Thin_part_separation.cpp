@@ -190,7 +190,7 @@ std::size_t Thin_part_merger::number_of_new_components() const
 
 bool Thin_part_merger::is_bad_piece(const std::vector<std::uint32_t>& piece) const
 {
-  return std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }) ||
+  return std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t) || is_folded(t); }) ||
          (piece.size() == 2 && std::is_permutation(mesh_.triangles[piece[0]].begin(), mesh_.triangles[piece[0]].end(),
                                                    mesh_.triangles[piece[1]].begin()));
 }
