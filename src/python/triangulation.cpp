@@ -277,6 +277,11 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
     check_marks(t, is_whole);
+    for (IT::Edge_index e : t.connectivity().edges())
+      if (!is_constrained.empty() && is_constrained[e.idx()] && !t.is_input_edge(e))
+        throw IT::Invalid_argument_error("edge " + std::to_string(e.idx()) +
+                                         " is constrained, but is no edge of the input: constrain edges before they "
+                                         "are flipped");
     const std::size_t n = t.input().number_of_vertices();
     require(sizes.empty() || sizes.size() == n, "there is not one size for each vertex of the input");
     const auto size = [&](IT::Vertex_index v) { return sizes.empty() ? HUGE_VAL : sizes[v.idx()]; };

@@ -120,6 +120,8 @@ def test_what_is_written_is_read(extension, tmp_path):
 
 def test_values_and_textures_have_their_formats(tmp_path):
     V, F = KITE
+    with pytest.raises(ValueError, match="name of a coordinate"):
+        it.write_mesh(V, F, tmp_path / "kite.ply", values={"X": [1, 2, 3, 4.5]})
     it.write_mesh(V, F, tmp_path / "kite.ply", values={"heat": [1, 2, 3, 4.5]})
     assert b"property double heat" in (tmp_path / "kite.ply").read_bytes()
     for name, options in [("kite.off", {"values": {"heat": [1, 2, 3, 4]}}), ("kite.ply", {"uv": numpy.zeros((2, 3, 2))})]:

@@ -207,6 +207,10 @@ def test_sharp_edges_are_kept():
     with pytest.raises(ValueError, match="between 0 and 180"):
         it.Triangulation(V, F).refine(sharp_edge_angle=200)
     assert t.refine(constrained=sharp, minimum_size=1e-3).is_finished
+    flipped = it.Triangulation([[0, 0, 0], [1, 0.1, 0], [2, 0, 1], [1, -0.1, 0]], [[0, 1, 2], [0, 2, 3]])
+    flipped.flip_to_delaunay()
+    with pytest.raises(ValueError, match="before they are flipped"):
+        flipped.refine(constrained=[True] * 5)
     for bad in (-1, 181, numpy.nan, "30"):
         with pytest.raises(ValueError):
             t.sharp_edges(bad)

@@ -66,6 +66,8 @@ def write_mesh(V: ArrayLike, F: ArrayLike, file_name: Union[str, "os.PathLike[st
     columns = {name: _arrays.doubles(column, name, (len(points),)) for name, column in (values or {}).items()}
     if any(len(name.split()) != 1 for name in columns):
         raise ValueError("names of values have to be words without blanks")
+    if taken := [name for name in columns if name.lower() in ("x", "y", "z")]:
+        raise ValueError(f"{taken[0]!r} is the name of a coordinate: choose another one for the values")
     corners = None if uv is None else _arrays.doubles(uv, "uv", (len(faces), 3, 2))
     with open(path, "wb") as file:
         if extension == ".ply":
