@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <system_error>
@@ -78,7 +79,8 @@ std::string output_advice(const CLI::App& app, const std::string& word)
 {
   for (const CLI::App* command : app.get_subcommands())
     if (const CLI::Option* const output = command->get_option_no_throw("--output");
-        output && output->count() == 0 && word[0] != '-' && word.find('.') != std::string::npos)
+        output && output->count() == 0 && word[0] != '-' && word.find('.') != std::string::npos &&
+        !std::filesystem::exists(word)) // which must not be lost
       return "; did you mean -o " + word + "?";
   return std::string();
 }

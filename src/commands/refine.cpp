@@ -260,12 +260,12 @@ double coordinate_rounding(const Surface& surface)
 // A larger deviation for which refinement leads to good triangles, found by trying, with two digits; or 0. No point is as
 // near as rounding.
 double sufficient_deviation(const Surface& surface, Run_options run_options, const Refine_options& options,
-                            double suggestion)
+                            const IT::Straight_mesh& before)
 {
   double& deviation = run_options.refinement->criteria.maximum_deviation;
   const double rounding = coordinate_rounding(surface),
-               first = (std::max)({suggestion, 2 * deviation, 0x1p10 * rounding}),
-               largest = (std::max)(100 * deviation, 0x1p17 * rounding);
+               first = (std::max)({before.sufficient_deviation, 2 * deviation, 0x1p10 * rounding}),
+               largest = (std::min)((std::max)(100 * deviation, 0x1p17 * rounding), extent_of(surface) / 4);
   for (double d = first; d < largest; d *= 2) {
     const double digit = std::pow(10, std::floor(std::log10(d)) - 1);
     deviation = std::ceil(d / digit) * digit;
@@ -273,7 +273,8 @@ double sufficient_deviation(const Surface& surface, Run_options run_options, con
     const Triangulation_result result = refine_surface(surface, run_options, options);
     if (!result.outcome.subdivision || is_interrupted())
       return 0;
-    if (const IT::Straight_mesh mesh = straight_mesh(result, true); mesh.is_good() && mesh.deviation <= deviation)
+    if (const IT::Straight_mesh mesh = straight_mesh(result, true);
+        mesh.is_good() && mesh.deviation <= deviation && IT::internal::keeps_most(mesh, before))
       return deviation;
   }
   return 0;
@@ -328,8 +329,7 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
     try {
       result.straight = straight_mesh(result);
       if (is_bounded && !result.straight->is_good())
-        result.straight->sufficient_deviation =
-          sufficient_deviation(*copy, run_options, options, result.straight->sufficient_deviation);
+        result.straight->sufficient_deviation = sufficient_deviation(*copy, run_options, options, *result.straight);
     } catch (const IT::Cancelled_error& error) {
       result.outcome.failure = error.what();
     }

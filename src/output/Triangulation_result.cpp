@@ -93,7 +93,7 @@ std::string describe_straight_triangles(const Triangulation_result& result)
           : mesh.sufficient_deviation > 0
             ? "--maximum-deviation " + in_short(mesh.sufficient_deviation) + " suffices, as was tried"
           : unrefined_faces(result.outcome)["whole edge"] > 0 ? "fewer --keep-whole edges leave more room"
-          : mesh.folded_edges.empty()                         ? "try a larger --minimum-size"
+          : mesh.folded_edges.empty() ? "try a smaller --maximum-deviation, or a larger --minimum-size"
                                       : "--maximum-deviation has to be smaller than they are apart") +
          "; only the intrinsic triangulation is ";
 }

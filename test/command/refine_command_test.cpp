@@ -412,6 +412,8 @@ TEST_F(Refine_command, says_that_a_plate_is_thinner_than_the_deviation)
   EXPECT_EQ(run.status, 4);
   EXPECT_TRUE(contains(run.err, "lie on each other")) << run.err;
   EXPECT_TRUE(contains(run.err, "--maximum-deviation has to be smaller than they are apart")) << run.err;
+  // Deviations that are as large as the plate suffice for anything.
+  EXPECT_FALSE(contains(idt("refine plate.off --maximum-deviation 5%").err, "suffices"));
 }
 
 TEST_F(Refine_command, flattens)

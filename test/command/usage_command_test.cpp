@@ -88,6 +88,8 @@ TEST_F(Command_usage, the_nearest_word_is_named)
   expect_refused("sample bumby-dome", "did you mean bumpy-dome?");
   expect_refused("helo", "did you mean help?");
   expect_refused("view kite.off page.html", "not expected: page.html; did you mean -o page.html?");
+  write("other.off", "");
+  EXPECT_FALSE(contains(idt("view kite.off other.off").err, "did you mean")); // which would replace it
   expect_refused("help refin", "did you mean refine?");
   expect_refused("refin --help", "did you mean refine?");
   for (const char* arguments : {"convert", "help convert", "convert --help"}) {

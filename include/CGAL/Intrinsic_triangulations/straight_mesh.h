@@ -124,6 +124,9 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
                             const std::vector<bool>& is_fixed, const Progress_function& progress,
                             bool tries_larger_deviations = true);
 
+// Whether the area is at least half of what it was. Where most is left out, little that is left can be bad.
+bool keeps_most(const Straight_mesh& mesh, const Straight_mesh& before);
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay

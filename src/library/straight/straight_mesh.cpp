@@ -456,6 +456,17 @@ private:
 
 } // namespace
 
+bool keeps_most(const Straight_mesh& mesh, const Straight_mesh& before)
+{
+  const auto area = [](const Straight_mesh& triangles) {
+    double sum = 0;
+    for (const auto& [u, v, w] : triangles.triangles)
+      sum += four_areas_3(triangles.points[u], triangles.points[v], triangles.points[w]);
+    return sum;
+  };
+  return 2 * area(mesh) > area(before);
+}
+
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<Point>& points,
                             const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation,
                             const std::vector<bool>& is_fixed, const Progress_function& progress,
@@ -478,13 +489,19 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
   Straight_mesh result = maker.make(is_marked, thin_angle, maximum_deviation, part_of_progress(progress, 0, 0.4));
   if (maximum_deviation == 0 || !tries_larger_deviations)
     return result;
-  // Larger ones are tried as long as that leaves fewer bad triangles.
+  // Larger ones are tried as long as that leaves fewer bad triangles, and they are smaller than the surface.
+  double extent = 0;
+  for (std::size_t axis = 0; axis < 3 && !points.empty(); ++axis) {
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                                 [axis](const Point& p, const Point& q) { return p[axis] < q[axis]; });
+    extent = (std::max)(extent, (*high)[axis] - (*low)[axis]);
+  }
   double d = 2 * maximum_deviation, done = 0.4;
-  for (std::size_t before = defects(result, maximum_deviation).first; before > 0 && d < 100 * maximum_deviation;
-       d *= 2, done += 0.1) {
-    const std::size_t number =
-      defects(maker.make(is_marked, thin_angle, d, part_of_progress(progress, done, done + 0.1)), d).first;
-    if (number == 0)
+  for (std::size_t before = defects(result, maximum_deviation).first;
+       before > 0 && d < (std::min)(100 * maximum_deviation, extent / 4); d *= 2, done += 0.1) {
+    const Straight_mesh mesh = maker.make(is_marked, thin_angle, d, part_of_progress(progress, done, done + 0.1));
+    const std::size_t number = defects(mesh, d).first;
+    if (number == 0 && keeps_most(mesh, result))
       result.sufficient_deviation = d;
     before = number < before ? number : 0;
   }
