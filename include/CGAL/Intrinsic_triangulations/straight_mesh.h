@@ -45,7 +45,7 @@ struct Straight_mesh
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Face_index> faces; ///< for each triangle, the face of the triangulation that it is, or where it belongs
   std::vector<Face_index> input_faces; ///< for each triangle, the face of the input that covers most of it
-  /// for each triangle, the number of its region. Marked edges separate regions
+  /// for each triangle, the number of its region. Marked edges separate regions. Merged vertices can divide a region
   std::vector<std::uint32_t> regions;
   std::uint32_t number_of_regions = 0; ///< the number of regions
 

@@ -84,7 +84,8 @@ class StraightMesh(NamedTuple):
     input_faces: numpy.ndarray
     """(t,) array of int64: the face of the input that covers most of each triangle."""
     regions: numpy.ndarray
-    """(t,) array of int64: the number of the region of each triangle. Marked edges separate regions."""
+    """(t,) array of int64: the number of the region of each triangle. Marked edges separate regions; where vertices were
+    merged, a region can come apart."""
     marked_edges: numpy.ndarray
     """(e, 2) array of int64: the ends of the marked edges and of those of the border."""
     lines: numpy.ndarray
