@@ -67,6 +67,23 @@ inline std::array<double, 3> normal_of(const std::array<std::array<double, 3>, 3
   return cross_product(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
 }
 
+// Without squares of areas, which overflow early.
+inline double area_of(const std::array<std::array<double, 3>, 3>& corners)
+{
+  const std::array<double, 3> normal = normal_of(corners);
+  return std::hypot(normal[0], normal[1], normal[2]) / 2;
+}
+
+// Zero if there is no area.
+inline std::array<double, 3> unit_normal_of(const std::array<std::array<double, 3>, 3>& corners)
+{
+  std::array<double, 3> result = normal_of(corners);
+  if (const double length = std::hypot(result[0], result[1], result[2]); length > 0)
+    for (double& x : result)
+      x /= length;
+  return result;
+}
+
 // Knows where the surface lies below each face, and where its vertices and added ones are.
 class Straight_map
 {

@@ -8,7 +8,6 @@
 #include "Thin_part_merger.h"
 
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 
@@ -18,11 +17,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-double Thin_part_merger::area(const Triangle& t) const
-{
-  const Space_triangle corners = map_.corners(t);
-  return four_areas_3(corners[0], corners[1], corners[2]) / 4;
-}
+double Thin_part_merger::area(const Triangle& t) const { return area_of(map_.corners(t)); }
 
 void Thin_part_merger::add(Bulk& bulk, std::uint32_t t) const
 {
@@ -78,20 +73,13 @@ std::vector<bool> Thin_part_merger::find_solids() const
   return result;
 }
 
-// Whether the angle between two normals is above 120 degrees, as on both sides of a film.
-static bool is_opposite(const std::array<double, 3>& normal, const std::array<double, 3>& other)
-{
-  const double product = scalar_product(normal, other);
-  return product < 0 && 4 * product * product > scalar_product(normal, normal) * scalar_product(other, other);
-}
-
 // How far the nearest triangle that is turned the other way is from the middle of a triangle, or the deviation if it is
 // farther.
 double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::uint32_t>& triangles,
                                       const Box_tree& tree) const
 {
   const Space_triangle corners = map_.corners(mesh_.triangles[t]);
-  const Point normal = normal_of(corners);
+  const Point normal = unit_normal_of(corners);
   Point middle{};
   for (const Point& p : corners)
     for (std::size_t i = 0; i < 3; ++i)
@@ -100,7 +88,9 @@ double Thin_part_merger::thickness_at(std::uint32_t t, const std::vector<std::ui
     double result = (std::min)(d, maximum_deviation_);
     for (std::uint32_t i : tree.near(Space_box({middle, middle, middle}), result)) {
       Space_triangle seen = map_.corners(mesh_.triangles[triangles[i]]);
-      if (component_of(triangles[i]) != component_of(t) || !is_opposite(normal_of(seen), normal))
+      constexpr double largest_cosine = -0.5; // as on both sides of a film
+      if (component_of(triangles[i]) != component_of(t) ||
+          !(scalar_product(unit_normal_of(seen), normal) < largest_cosine))
         continue;
       for (Point& p : seen)
         p = difference(p, middle);

@@ -169,7 +169,7 @@ private:
     left.erase(std::find(left.begin(), left.end(), nearest.second));
     Part inside = part;
     const Space_triangle& divisor = others_[nearest.second];
-    const Point normal = normal_of(divisor);
+    const Point normal = unit_normal_of(divisor);
     for (std::size_t i = 0; i < 3 && !inside.empty(); ++i) {
       const Point outward = cross_product(difference(divisor[(i + 1) % 3], divisor[i]), normal);
       Part outside = cut_off(inside, divisor[i], outward);

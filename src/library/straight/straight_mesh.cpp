@@ -461,7 +461,7 @@ bool keeps_most(const Straight_mesh& mesh, const Straight_mesh& before)
   const auto area = [](const Straight_mesh& triangles) {
     double sum = 0;
     for (const auto& [u, v, w] : triangles.triangles)
-      sum += four_areas_3(triangles.points[u], triangles.points[v], triangles.points[w]);
+      sum += area_of({triangles.points[u], triangles.points[v], triangles.points[w]});
     return sum;
   };
   return 2 * area(mesh) > area(before);
