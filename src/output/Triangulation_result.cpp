@@ -70,9 +70,7 @@ std::string describe_straight_triangles(const Triangulation_result& result)
   const IT::Straight_mesh& mesh = *result.straight;
   const double maximum = result.options.refinement->criteria.maximum_deviation;
   std::string text = "the straight triangles ";
-  if (mesh.triangles.empty())
-    text += "are all left out, as they are thinner than --maximum-deviation";
-  else if (!mesh.is_surface())
+  if (!mesh.is_surface())
     text += "are no surface: " + message(mesh);
   else if (!(mesh.deviation <= maximum))
     text += "are up to " + in_short(mesh.deviation) + " away from the surface, at " + in_short(mesh.deviation_place);
@@ -88,8 +86,7 @@ std::string describe_straight_triangles(const Triangulation_result& result)
     text += "cross where the surface does not, the first at " +
             in_short(mesh.points[mesh.triangles[mesh.crossing_triangles.front()[0]][0]]);
   return text + "; " +
-         (mesh.triangles.empty() ? "try a smaller one"
-          : std::isinf(maximum)  ? "try --maximum-deviation 0.1%"
+         (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
           : mesh.sufficient_deviation > 0
             ? "--maximum-deviation " + in_short(mesh.sufficient_deviation) + " suffices, as was tried"
           : unrefined_faces(result.outcome)["whole edge"] > 0 ? "fewer --keep-whole edges leave more room"

@@ -149,16 +149,19 @@ void Thin_part_merger::leave_cavities_out()
     bulk.volume = std::abs(bulk.volume);
     return bulk;
   };
+  std::vector<const Component*> solids;
+  for (const auto& [root, component] : components)
+    if (is_thick(size_of(component.bulk)))
+      solids.push_back(&component);
   for (const auto& [root, inner] : components) {
-    const auto is_around = [&, inside = &inner](const auto& pair) {
-      const Component& outer = pair.second;
-      bool result = outer.bulk.volume * inside->bulk.volume < 0 && is_thick(size_of(outer.bulk));
+    const auto is_around = [inside = &inner](const Component* outer) {
+      bool result = outer->bulk.volume * inside->bulk.volume < 0;
       for (std::size_t i = 0; i < 3; ++i)
-        result = result && outer.box.low[i] < inside->box.low[i] && inside->box.high[i] < outer.box.high[i];
+        result = result && outer->box.low[i] < inside->box.low[i] && inside->box.high[i] < outer->box.high[i];
       return result;
     };
     if (inner.bulk.is_closed && !inner.is_fixed && !is_thick(size_of(inner.bulk)) &&
-        std::any_of(components.begin(), components.end(), is_around))
+        std::any_of(solids.begin(), solids.end(), is_around))
       leave_out(inner.triangles, inner.bulk);
   }
 }

@@ -9,6 +9,7 @@
 #include "Straight_map.h"
 
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -75,11 +76,6 @@ namespace {
 using Point = std::array<double, 3>;
 using Part = std::vector<Point>; // a convex polygon in a triangle
 using Numbers = std::vector<std::uint32_t>;
-
-Point between(const Point& p, const Point& q, double t)
-{
-  return {(1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1], (1 - t) * p[2] + t * q[2]};
-}
 
 Space_box box_of(const Part& part)
 {
@@ -198,7 +194,7 @@ private:
       if (here >= 0)
         outside.push_back(part[i]);
       if ((here < 0 && there > 0) || (here > 0 && there < 0)) {
-        inside.push_back(between(part[i], part[next], here / (here - there)));
+        inside.push_back(internal::between(part[i], part[next], here / (here - there)));
         outside.push_back(inside.back());
       }
     }
@@ -216,7 +212,7 @@ private:
         longest = i;
     const auto corner = [&](std::size_t i) { return part[(longest + i) % n]; };
     const std::size_t opposite = (n + 1) / 2;
-    const Point middle = between(corner(0), corner(1), 0.5);
+    const Point middle = internal::between(corner(0), corner(1), 0.5);
     Part first{middle}, second{middle};
     for (std::size_t i = 1; i <= opposite; ++i)
       first.push_back(corner(i));
